@@ -1,0 +1,260 @@
+#include "common/case_file.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <toml++/toml.h>
+
+#include "common/case_rules.hpp"
+#include "common/error.hpp"
+
+namespace cosurge {
+namespace {
+
+using google::protobuf::Descriptor;
+using google::protobuf::EnumDescriptor;
+using google::protobuf::FieldDescriptor;
+using google::protobuf::Message;
+
+std::string place(const toml::node& node) {
+  const toml::source_region& source = node.source();
+  const std::string path = source.path ? *source.path : "";
+  return path.starts_with("--set") ? path : fmt::format("{}:{}", path, source.begin.line);
+}
+
+std::string child(const std::string& path, std::string_view key) {
+  return path.empty() ? std::string(key) : fmt::format("{}.{}", path, key);
+}
+
+std::string field_names(const Descriptor& type) {
+  std::vector<std::string> names;
+  for (int i = 0; i < type.field_count(); ++i) names.push_back(type.field(i)->name());
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string words(const EnumDescriptor& type) {
+  std::vector<std::string> names;
+  for (int i = 0; i < type.value_count(); ++i) names.push_back(type.value(i)->name());
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+const v1::Rule& rule_of(const FieldDescriptor& field) { return field.options().GetExtension(v1::rule); }
+
+/// One walk over a TOML tree and a message descriptor together; collects every error.
+class Walk {
+ public:
+  explicit Walk(CaseErrors& errors) : errors_(errors) {}
+
+  void table(const toml::table& from, const std::string& path, Message& into) {
+    errors_.places[path] = place(from);
+    const Descriptor& type = *into.GetDescriptor();
+    for (const auto& [key, node] : from) {
+      const FieldDescriptor* field = type.FindFieldByName(std::string(key.str()));
+      const std::string key_path = child(path, key.str());
+      errors_.places[key_path] = place(node);
+      if (field == nullptr) {
+        errors_.add(key_path, "unknown key, allowed: " + field_names(type));
+      } else if (field->is_repeated()) {
+        list(node, key_path, *field, into);
+      } else {
+        single(node, key_path, *field, into);
+      }
+    }
+    for (int i = 0; i < type.field_count(); ++i) {
+      const FieldDescriptor& field = *type.field(i);
+      const bool needed = field.is_required() || rule_of(field).vector() || rule_of(field).at_least() > 0;
+      if (needed && !from.contains(field.name())) {
+        errors_.places[child(path, field.name())] = place(from);
+        errors_.add(child(path, field.name()), "missing");
+      }
+    }
+  }
+
+ private:
+  void single(const toml::node& node, const std::string& path, const FieldDescriptor& field, Message& into) {
+    const auto& reflection = *into.GetReflection();
+    switch (field.cpp_type()) {
+      case FieldDescriptor::CPPTYPE_MESSAGE:
+        if (const toml::table* inner = node.as_table())
+          return table(*inner, path, *reflection.MutableMessage(&into, &field));
+        return errors_.add(path, "must be a table, allowed keys: " + field_names(*field.message_type()));
+      case FieldDescriptor::CPPTYPE_DOUBLE:
+        if (const auto value = number(node, path, field)) reflection.SetDouble(&into, &field, *value);
+        return;
+      case FieldDescriptor::CPPTYPE_INT32:
+        if (!node.is_integer()) return errors_.add(path, "must be a whole number");
+        if (const auto value = number(node, path, field))
+          reflection.SetInt32(&into, &field, static_cast<int>(*value));
+        return;
+      case FieldDescriptor::CPPTYPE_BOOL:
+        if (!node.is_boolean()) return errors_.add(path, "must be true or false");
+        return reflection.SetBool(&into, &field, *node.value<bool>());
+      case FieldDescriptor::CPPTYPE_STRING:
+        if (!node.is_string()) return errors_.add(path, "must be a text in quotes");
+        return reflection.SetString(&into, &field, *node.value<std::string>());
+      case FieldDescriptor::CPPTYPE_ENUM:
+        return choice(node, path, field, into);
+      default:
+        throw std::logic_error("case.proto: no reader for the type of " + field.full_name());
+    }
+  }
+
+  void choice(const toml::node& node, const std::string& path, const FieldDescriptor& field, Message& into) {
+    const EnumDescriptor& type = *field.enum_type();
+    const auto* value = node.is_string() ? type.FindValueByName(*node.value<std::string>()) : nullptr;
+    if (value == nullptr) return errors_.add(path, "must be one of: " + words(type));
+    into.GetReflection()->SetEnum(&into, &field, value);
+  }
+
+  void list(const toml::node& node, const std::string& path, const FieldDescriptor& field, Message& into) {
+    const bool tables = field.cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE;
+    const v1::Rule& rule = rule_of(field);
+    const toml::array* array = node.as_array();
+    if (array == nullptr) return errors_.add(path, tables ? "must be a list of tables" : "must be a list");
+    if (rule.vector() && static_cast<int>(array->size()) != errors_.dimension)
+      errors_.add(path, fmt::format("has {} components, must have {}", array->size(), errors_.dimension));
+    if (array->size() < rule.at_least())
+      errors_.add(path, fmt::format("has {} entries, needs at least {}", array->size(), rule.at_least()));
+    int entry = 0;
+    for (const toml::node& item : *array) {
+      const std::string item_path = fmt::format("{}.{}", path, entry++);
+      errors_.places[item_path] = place(item);
+      if (!tables) {
+        if (const auto value = number(item, item_path, field))
+          into.GetReflection()->AddDouble(&into, &field, *value);
+      } else if (const toml::table* inner = item.as_table()) {
+        table(*inner, item_path, *into.GetReflection()->AddMessage(&into, &field));
+      } else {
+        errors_.add(item_path, "must be a table");
+      }
+    }
+  }
+
+  std::optional<double> number(const toml::node& node, const std::string& path, const FieldDescriptor& field) {
+    if (!node.is_number()) {
+      errors_.add(path, "must be a number");
+      return std::nullopt;
+    }
+    const double value = *node.value<double>();
+    const v1::Rule& rule = rule_of(field);
+    const std::string unit = rule.has_unit() ? fmt::format(" [{}]", rule.unit()) : "";
+    const auto bound = [&](bool ok, const char* relation, double limit) {
+      if (!ok) errors_.add(path, fmt::format("{} must be {} {}{}", value, relation, limit, unit));
+    };
+    if (!std::isfinite(value)) errors_.add(path, fmt::format("{} must be finite{}", value, unit));
+    if (rule.has_gt()) bound(value > rule.gt(), ">", rule.gt());
+    if (rule.has_ge()) bound(value >= rule.ge(), ">=", rule.ge());
+    if (rule.has_lt()) bound(value < rule.lt(), "<", rule.lt());
+    if (rule.has_le()) bound(value <= rule.le(), "<=", rule.le());
+    return value;
+  }
+
+  CaseErrors& errors_;
+};
+
+/// The value of an override: TOML, or a bare word.
+toml::table parse_value(const std::string& source, const std::string& value) {
+  try {
+    return toml::parse("value = " + value, source);
+  } catch (const toml::parse_error&) {
+    return toml::table{{"value", value}};
+  }
+}
+
+/// Walks down `keys` from `node`, making tables where there are none; null where the way leads through a value.
+toml::node* descend(toml::node* node, const std::string& key) {
+  if (toml::table* inner = node->as_table()) {
+    if (!inner->contains(key)) inner->insert(key, toml::table{});
+    return inner->get(key);
+  }
+  if (toml::array* items = node->as_array()) {
+    const bool numeric = !key.empty() && key.find_first_not_of("0123456789") == std::string::npos;
+    if (numeric && key.size() < 9) return items->get(std::stoul(key));
+  }
+  return nullptr;
+}
+
+void apply_override(toml::table& root, const std::string& text) {
+  const auto equals = text.find('=');
+  require(equals != std::string::npos && equals > 0, "--set {}: must be key.path=value", text);
+  const std::string key = text.substr(0, equals);
+  const std::string source = "--set " + text;
+  toml::table parsed = parse_value(source, text.substr(equals + 1));
+  toml::node* node = &root;
+  std::size_t start = 0;
+  for (auto dot = key.find('.'); dot != std::string::npos && node != nullptr; dot = key.find('.', start)) {
+    node = descend(node, key.substr(start, dot - start));
+    start = dot + 1;
+  }
+  const std::string last = key.substr(start);
+  toml::node& value = *parsed.get("value");
+  if (toml::table* inner = node ? node->as_table() : nullptr) {
+    inner->insert_or_assign(last, std::move(value));
+  } else if (toml::array* items = node ? node->as_array() : nullptr;
+             items != nullptr && last.find_first_not_of("0123456789") == std::string::npos &&
+             std::stoul(last) < items->size()) {
+    items->replace(items->begin() + static_cast<long>(std::stoul(last)), std::move(value));
+  } else {
+    throw Error(fmt::format("{}: the case has no such key", source));
+  }
+}
+
+/// Writes every default into the message, so that what was computed can be read off the results.
+void resolve(Message& message) {
+  const Descriptor& type = *message.GetDescriptor();
+  const auto& reflection = *message.GetReflection();
+  for (int i = 0; i < type.field_count(); ++i) {
+    const FieldDescriptor& field = *type.field(i);
+    const bool is_message = field.cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE;
+    if (field.is_repeated()) {
+      for (int k = 0; is_message && k < reflection.FieldSize(message, &field); ++k)
+        resolve(*reflection.MutableRepeatedMessage(&message, &field, k));
+    } else if (is_message) {
+      const bool part = &type == v1::Case::descriptor();  // of the scene: absent means that there is none
+      if (reflection.HasField(message, &field) || !part)
+        resolve(*reflection.MutableMessage(&message, &field));
+    } else if (field.has_default_value() && !reflection.HasField(message, &field)) {
+      if (field.cpp_type() == FieldDescriptor::CPPTYPE_DOUBLE)
+        reflection.SetDouble(&message, &field, field.default_value_double());
+      else if (field.cpp_type() == FieldDescriptor::CPPTYPE_INT32)
+        reflection.SetInt32(&message, &field, field.default_value_int32());
+      else if (field.cpp_type() == FieldDescriptor::CPPTYPE_ENUM)
+        reflection.SetEnum(&message, &field, field.default_value_enum());
+      else
+        throw std::logic_error("case.proto: no default for the type of " + field.full_name());
+    }
+  }
+}
+
+toml::table parse(const std::filesystem::path& file) {
+  try {
+    return toml::parse_file(file.string());
+  } catch (const toml::parse_error& error) {
+    throw Error(fmt::format("{}:{}: {}", file.string(), error.source().begin.line, error.description()));
+  }
+}
+
+}  // namespace
+
+v1::Case load_case(const std::string& path, const std::vector<std::string>& overrides) {
+  std::filesystem::path file = path;
+  if (std::filesystem::is_directory(file)) file /= "case.toml";
+  require(std::filesystem::is_regular_file(file), "{}: no such case", file.string());
+  toml::table root = parse(file);
+  for (const std::string& text : overrides) apply_override(root, text);
+
+  v1::Case result;
+  CaseErrors errors;
+  errors.dimension = static_cast<int>(root["dimension"].value_or<std::int64_t>(result.dimension()));
+  Walk(errors).table(root, "", result);
+  errors.places[""] = file.string();
+  errors.raise();
+  if (result.has_fluid() && result.has_solid()) result.mutable_coupling();
+  result.mutable_output();
+  resolve(result);
+  check_rules(result, errors);
+  errors.raise();
+  return result;
+}
+
+}  // namespace cosurge

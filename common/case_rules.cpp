@@ -1,0 +1,205 @@
+#include "common/case_rules.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <set>
+
+#include "common/error.hpp"
+
+namespace cosurge {
+namespace {
+
+constexpr double whole = 1e-6;  // of a spacing: what decimal numbers such as 0.146 / 0.002 may be off a whole number
+
+bool divides(double spacing, double length) {
+  const double quotient = length / spacing;
+  return std::abs(quotient - std::round(quotient)) < whole * std::max(1.0, std::abs(quotient));
+}
+
+/// A box of the case, with its key, and whether the lattice must fill it exactly.
+struct NamedBox {
+  std::string key;
+  const v1::Box* box;
+};
+
+std::vector<NamedBox> body_boxes(const v1::Solid& solid) {
+  std::vector<NamedBox> boxes;
+  for (int i = 0; i < solid.body_size(); ++i)
+    boxes.push_back({fmt::format("solid.body.{}.box", i), &solid.body(i).box()});
+  return boxes;
+}
+
+std::vector<NamedBox> water_boxes(const v1::Fluid& fluid) {
+  std::vector<NamedBox> boxes;
+  for (int i = 0; i < fluid.water_size(); ++i)
+    boxes.push_back({fmt::format("fluid.water.{}", i), &fluid.water(i)});
+  return boxes;
+}
+
+bool overlap(const v1::Box& a, const v1::Box& b, double margin) {
+  for (int k = 0; k < a.min_size(); ++k)
+    if (a.max(k) <= b.min(k) + margin || b.max(k) <= a.min(k) + margin) return false;
+  return true;
+}
+
+bool inside(const v1::Box& inner, const v1::Box& outer, double margin) {
+  for (int k = 0; k < inner.min_size(); ++k)
+    if (inner.min(k) < outer.min(k) - margin || inner.max(k) > outer.max(k) + margin) return false;
+  return true;
+}
+
+/// The nearest spacing below (step = +1) or above (-1) the given one that divides every length, searched as fractions
+/// of the shortest length.
+std::optional<double> nearest_spacing(double spacing, const std::vector<double>& lengths, int step) {
+  const double shortest = *std::min_element(lengths.begin(), lengths.end());
+  const auto fits = [&](double s) {
+    return std::all_of(lengths.begin(), lengths.end(), [&](double length) { return divides(s, length); });
+  };
+  const int parts = static_cast<int>(step > 0 ? std::ceil(shortest / spacing) : std::floor(shortest / spacing));
+  constexpr int search = 2000;
+  for (int n = parts; n > 0 && n < parts + search; n += step)
+    if (fits(shortest / n)) return shortest / n;
+  return std::nullopt;
+}
+
+void check_spacing(const std::string& key, double spacing, const std::vector<NamedBox>& boxes, CaseErrors& errors) {
+  std::vector<double> lengths;
+  std::vector<std::string> wrong;
+  for (const NamedBox& named : boxes) {
+    for (int k = 0; k < named.box->min_size(); ++k) {
+      for (const double value : {named.box->min(k), named.box->max(k)}) {
+        if (value != 0) lengths.push_back(std::abs(value));
+        if (!divides(spacing, value))
+          wrong.push_back(fmt::format("{} ({:.6g} is {:.4g} spacings)", named.key, value, value / spacing));
+      }
+    }
+  }
+  if (wrong.empty()) return;
+  const auto below = nearest_spacing(spacing, lengths, 1);
+  const auto above = nearest_spacing(spacing, lengths, -1);
+  errors.add(key, fmt::format("{} does not divide {}; nearest that divide every box: {} below, {} above", spacing,
+                              fmt::join(wrong, ", "), below ? fmt::format("{:.6g}", *below) : "none",
+                              above ? fmt::format("{:.6g}", *above) : "none"));
+}
+
+bool check_boxes_ordered(const std::vector<NamedBox>& boxes, CaseErrors& errors) {
+  bool ok = true;
+  for (const NamedBox& named : boxes) {
+    for (int k = 0; k < named.box->min_size(); ++k) {
+      if (named.box->min(k) < named.box->max(k)) continue;
+      errors.add(named.key, fmt::format("min {} must be < max {} in coordinate {}", named.box->min(k),
+                                        named.box->max(k), k));
+      ok = false;
+    }
+  }
+  return ok;
+}
+
+void check_scene(const v1::Case& c, CaseErrors& errors) {
+  std::vector<NamedBox> boxes;
+  if (c.has_solid()) boxes = body_boxes(c.solid());
+  std::vector<NamedBox> filled = boxes;
+  if (c.has_fluid()) {
+    for (const NamedBox& water : water_boxes(c.fluid())) filled.push_back(water);
+    boxes = filled;
+    boxes.push_back({"fluid.tank", &c.fluid().tank()});
+  }
+  if (!check_boxes_ordered(boxes, errors)) return;
+  if (c.has_fluid()) {
+    const double margin = whole * c.fluid().spacing();
+    check_spacing("fluid.spacing", c.fluid().spacing(), boxes, errors);
+    for (const NamedBox& named : filled)
+      if (!inside(*named.box, c.fluid().tank(), margin)) errors.add(named.key, "must lie inside fluid.tank");
+    for (std::size_t i = 0; i < filled.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (overlap(*filled[i].box, *filled[j].box, margin))
+          errors.add(filled[i].key, fmt::format("overlaps {}", filled[j].key));
+  }
+  if (c.has_solid() && c.solid().has_spacing())
+    check_spacing("solid.spacing", c.solid().spacing(), body_boxes(c.solid()), errors);
+}
+
+void check_solid(const v1::Case& c, CaseErrors& errors) {
+  const v1::Solid& solid = c.solid();
+  if (!solid.has_spacing() && !c.has_fluid()) return errors.add("solid.spacing", "missing (there is no fluid to take it from)");
+  const double spacing = solid.has_spacing() ? solid.spacing() : c.fluid().spacing();
+  const double fluid_spacing = c.has_fluid() ? c.fluid().spacing() : spacing;
+  constexpr double fewest = 3;  // layers, so that water on one side does not see water on the other
+  for (int i = 0; i < solid.body_size(); ++i) {
+    const v1::Body& body = solid.body(i);
+    for (int k = 0; k < body.box().min_size(); ++k) {
+      const double side = body.box().max(k) - body.box().min(k);
+      if (side < (fewest - whole) * fluid_spacing)
+        errors.add(fmt::format("solid.body.{}.box", i),
+                   fmt::format("is {:.3g} spacings thick, must be at least {}", side / fluid_spacing, fewest));
+    }
+    for (int j = 0; j < body.clamp_size(); ++j) {
+      const std::string key = fmt::format("solid.body.{}.clamp.{}", i, j);
+      if (!check_boxes_ordered({{key, &body.clamp(j)}}, errors)) continue;
+      if (!overlap(body.box(), body.clamp(j), -whole * spacing)) errors.add(key, "must touch the body's box");
+    }
+  }
+}
+
+void check_probes(const v1::Case& c, CaseErrors& errors) {
+  std::set<std::string> names;
+  for (int i = 0; i < c.output().probe_size(); ++i) {
+    const v1::Probe& probe = c.output().probe(i);
+    const std::string key = fmt::format("output.probe.{}", i);
+    const bool plain = !probe.name().empty() && std::all_of(probe.name().begin(), probe.name().end(), [](char a) {
+      return std::isalnum(static_cast<unsigned char>(a)) != 0 || a == '_';
+    });
+    if (!plain) errors.add(key + ".name", "must be made of letters, digits and _");
+    if (!names.insert(probe.name()).second) errors.add(key + ".name", fmt::format("\"{}\" is taken", probe.name()));
+    if (probe.quantity() == v1::Probe::pressure && !c.has_fluid()) errors.add(key + ".quantity", "needs a fluid");
+    v1::Box point;
+    *point.mutable_min() = probe.position();
+    *point.mutable_max() = probe.position();
+    const auto& bodies = c.solid().body();
+    const auto holds = [&](const v1::Body& body) { return inside(point, body.box(), 1e-9); };
+    if (std::none_of(bodies.begin(), bodies.end(), holds))
+      errors.add(key + ".position", "must lie in or on a body's box");
+  }
+}
+
+void check_times(const v1::Case& c, CaseErrors& errors) {
+  const double window = c.time().window();
+  if (window > c.time().end()) errors.add("time.window", fmt::format("{} must be <= time.end = {}", window, c.time().end()));
+  if (c.output().frame_interval() < window)
+    errors.add("output.frame_interval",
+               fmt::format("{} must be >= time.window = {}", c.output().frame_interval(), window));
+  if (c.time().stepping() != v1::Time::fixed) return;
+  for (const auto& [key, value] : {std::pair{"time.end", c.time().end()},
+                                   std::pair{"output.frame_interval", c.output().frame_interval()}})
+    if (!divides(window, value))
+      errors.add(key, fmt::format("{} must be a whole number of windows of {}", value, window));
+}
+
+}  // namespace
+
+void CaseErrors::add(const std::string& key, const std::string& what) {
+  std::string around = key;
+  while (!places.contains(around) && !around.empty()) {
+    const auto dot = around.rfind('.');
+    around = dot == std::string::npos ? "" : around.substr(0, dot);
+  }
+  lines.push_back(fmt::format("{}: {}: {}", places[around], key, what));
+}
+
+void CaseErrors::raise() const {
+  if (!lines.empty()) throw Error(fmt::format("{}", fmt::join(lines, "\n")));
+}
+
+void check_rules(const v1::Case& c, CaseErrors& errors) {
+  if (!c.has_fluid() && !c.has_solid()) errors.add("", "a case needs a [fluid], a [solid], or both");
+  if (c.has_coupling() && !(c.has_fluid() && c.has_solid()))
+    errors.add("coupling", "only where there are a [fluid] and a [solid]");
+  check_scene(c, errors);
+  if (c.has_solid()) check_solid(c, errors);
+  check_probes(c, errors);
+  check_times(c, errors);
+}
+
+}  // namespace cosurge

@@ -1,0 +1,28 @@
+// Rules between the keys of a case, checked after each key by itself.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "proto/case.pb.h"
+
+namespace cosurge {
+
+/// The errors of a case, and where each key stands.
+struct CaseErrors {
+  int dimension = 2;
+  std::map<std::string, std::string> places;  ///< key path -> "file:line"
+  std::vector<std::string> lines;
+
+  /// Adds "file:line: key: what", with the place of the key or of the nearest table around it.
+  void add(const std::string& key, const std::string& what);
+
+  /// @throws Error with all lines, if there are any.
+  void raise() const;
+};
+
+/// Boxes divided by their spacing, inside the tank, apart from each other; probes on their bodies; times that fit.
+void check_rules(const v1::Case& the_case, CaseErrors& errors);
+
+}  // namespace cosurge

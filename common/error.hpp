@@ -1,0 +1,29 @@
+// Three kinds of wrong: the user can fix it (Error), the numbers failed (NumericalError), we are wrong (assert).
+#pragma once
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <string>
+
+namespace cosurge {
+
+/// Something that the user can mend; the message says what is wrong and what is allowed.
+class Error : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The computation cannot go on; the message says where, when, why, and what to try.
+class NumericalError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Throws Error with the formatted message unless `ok`.
+template <typename... Args>
+void require(bool ok, fmt::format_string<Args...> message, Args&&... args) {
+  if (!ok) throw Error(fmt::format(message, std::forward<Args>(args)...));
+}
+
+}  // namespace cosurge

@@ -1,0 +1,113 @@
+// The seam of the whole program: a solver that can take part in a coupled run.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "proto/case.pb.h"
+
+namespace cosurge {
+
+/// Vectors at points, one column a point: dimension x points.
+using Field = Eigen::MatrixXd;
+
+enum class Role { fluid, solid };
+
+/// Who a participant is and what it can do, as told in the handshake.
+struct Identity {
+  Role role;
+  std::string program;
+  std::string version;
+  std::vector<int> dimensions;            ///< of the scenes it can compute
+  std::vector<std::string> capabilities;  ///< calls beyond initialize and advance: "save", "frame"
+};
+
+/// The interface is made of the fluid's points on and in the bodies, in the reference configuration.
+struct Interface {
+  int dimension = 0;
+  Field position;         ///< [m]
+  Field area;             ///< outward area vectors [m^(d-1)]; zero at inner points, which only complete the bodies
+  std::vector<int> body;  ///< index of the body that a point belongs to
+
+  Eigen::Index points() const { return position.cols(); }
+};
+
+/// What the solvers tell each other at the interface points: the solid fills the motion, the fluid the load.
+struct Surface {
+  Field displacement;    ///< [m] at the end of the solid's last window
+  Field velocity;        ///< [m/s] mean over the solid's last window
+  Field ramp_increment;  ///< [m] integral of velocity * (t - start) / size over the window; zero for held loads
+  Field force;           ///< [N] on the solid (per metre of width in two dimensions) = -pressure * area
+  Eigen::VectorXd pressure;  ///< [Pa]
+
+  static Surface at_rest(int dimension, Eigen::Index points);
+};
+
+/// A coupling window: both solvers advance from start to start + size.
+struct Window {
+  std::uint64_t index = 0;
+  double start = 0;  ///< [s]
+  double size = 0;   ///< [s]
+};
+
+/// A quantity that a participant reports after every window.
+struct Column {
+  std::string name;
+  std::string unit;
+};
+
+/// What a participant says of itself once it knows the case.
+struct Setup {
+  std::vector<Column> columns;
+  std::uint64_t particles = 0;
+  double window = 0;   ///< largest first window [s]
+  double substep = 0;  ///< the solver's own step [s]; 0 where it takes the window
+};
+
+/// What a participant says of one window.
+struct Report {
+  std::vector<double> values;  ///< one a column
+  double window = 0;           ///< largest next window [s]
+};
+
+/// A named array of a frame: components values for each particle, one particle after the other.
+struct Array {
+  std::string name;
+  std::string unit;
+  int components = 1;
+  std::vector<float> values;
+};
+
+/// The particles of a solver at one instant.
+using Snapshot = std::vector<Array>;
+
+/// A solver that can take part in a coupled run. Fluid, solids, the proxy over the wire and the mock of the tests
+/// implement it; the coupler knows nothing else.
+/// Legal order: initialize ( advance | save | restore | frame )* finalize.
+/// All calls throw Error or NumericalError where they cannot go on.
+class Participant {
+ public:
+  virtual ~Participant() = default;
+
+  virtual Identity identity() const = 0;
+
+  /// Builds the initial state of a checked case. The fluid fills `interface`, the solid answers for its points.
+  /// Both leave `surface` at the start of the first window.
+  virtual Setup initialize(const v1::Case& the_case, Interface& interface, Surface& surface) = 0;
+
+  /// One window. The fluid reads the motion and fills the load; the solid reads the load and fills the motion.
+  virtual Report advance(const Window& window, Surface& surface) = 0;
+
+  /// The complete state as bytes: restore(save()) continues bit for bit, also in another process of the same build.
+  virtual std::string save() = 0;
+  virtual void restore(const std::string& state) = 0;
+
+  /// Arrays for the results. Names, components and lengths never change in a run.
+  virtual Snapshot frame() = 0;
+
+  virtual void finalize() {}
+};
+
+}  // namespace cosurge
