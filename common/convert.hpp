@@ -1,0 +1,41 @@
+// Between the plain structs of a participant and the messages of the wire. Whoever receives checks: every
+// decode throws Error that names the field, and the point where one number is wrong, unless all lengths fit
+// and all numbers are finite.
+#pragma once
+
+#include "common/participant.hpp"
+#include "proto/exchange.pb.h"
+
+namespace cosurge {
+
+void encode(const Identity& identity, v1::Hello& message);
+Identity decode(const v1::Hello& message);
+
+void encode(const Interface& interface, v1::Interface& message);
+/// `bodies`: how many the case has.
+Interface decode(const v1::Interface& message, int dimension, int bodies);
+
+/// Displacement, velocity and, unless it is zero everywhere, the ramp increment.
+void encode_motion(const Surface& surface, v1::Motion& message);
+/// Fills the motion of a surface that has its size already.
+void decode_motion(const v1::Motion& message, Surface& surface);
+
+/// Force and pressure.
+void encode_load(const Surface& surface, v1::Load& message);
+/// Fills the load of a surface that has its size already.
+void decode_load(const v1::Load& message, Surface& surface);
+
+void encode(const Window& window, v1::Window& message);
+Window decode(const v1::Window& message);
+
+void encode(const Setup& setup, v1::Initialized& message);
+Setup decode(const v1::Initialized& message);
+
+void encode(const Report& report, v1::Advanced& message);
+/// `columns`: of the setup.
+Report decode(const v1::Advanced& message, std::size_t columns);
+
+void encode(const Snapshot& snapshot, v1::Snapshot& message);
+Snapshot decode(const v1::Snapshot& message);
+
+}  // namespace cosurge

@@ -1,0 +1,174 @@
+#include "common/line.hpp"
+
+#include <array>
+#include <cstring>
+#include <vector>
+
+#include "common/error.hpp"
+
+namespace cosurge {
+namespace {
+
+constexpr int heartbeat_interval = 250;  // [ms]
+constexpr const char* monitor_endpoint = "inproc://monitor";
+constexpr int watched_events = ZMQ_EVENT_HANDSHAKE_SUCCEEDED | ZMQ_EVENT_HANDSHAKE_FAILED_NO_DETAIL |
+                               ZMQ_EVENT_HANDSHAKE_FAILED_PROTOCOL | ZMQ_EVENT_HANDSHAKE_FAILED_AUTH |
+                               ZMQ_EVENT_DISCONNECTED;
+
+bool is_tcp(const std::string& endpoint) { return endpoint.starts_with("tcp://"); }
+
+void check(const std::string& endpoint) {
+  constexpr std::size_t longest_path = 107;  // sizeof sockaddr_un::sun_path, less the closing zero
+  const bool ipc = endpoint.starts_with("ipc://");
+  require(ipc || is_tcp(endpoint), "endpoint {}: must begin with ipc:// or tcp://", endpoint);
+  require(
+      !ipc || endpoint.size() - std::strlen("ipc://") <= longest_path,
+      "endpoint {}: the path is longer than the {} characters that a Unix socket can have; set TMPDIR to a "
+      "shorter folder",
+      endpoint, longest_path);
+}
+
+struct CurveKeys {
+  std::array<char, 41> open{};  // Z85, as zmq_curve_keypair wants it
+  std::array<char, 41> secret{};
+};
+
+CurveKeys new_keys() {
+  CurveKeys keys;
+  require(zmq_has("curve") == 1 && zmq_curve_keypair(keys.open.data(), keys.secret.data()) == 0,
+          "this ZeroMQ has no CURVE encryption, without which tcp:// is refused");
+  return keys;
+}
+
+}  // namespace
+
+Line::Line(std::shared_ptr<zmq::context_t> context)
+    : context_(std::move(context)), socket_(*context_, zmq::socket_type::pair) {
+  set_linger(0);
+}
+
+Line::~Line() {
+  if (closed_) *closed_ = true;
+  // A monitor left open would hang the end of the context.
+  if (monitor_) zmq_socket_monitor(socket_.handle(), nullptr, 0);
+}
+
+std::unique_ptr<Line> Line::listen(const std::string& endpoint) {
+  check(endpoint);
+  std::unique_ptr<Line> line(new Line(std::make_shared<zmq::context_t>(1)));
+  line->accepts_ = true;
+  if (is_tcp(endpoint)) {
+    const CurveKeys keys = new_keys();
+    line->server_key_ = keys.open.data();
+    line->socket_.set(zmq::sockopt::curve_server, true);
+    line->socket_.set(zmq::sockopt::curve_secretkey, keys.secret.data());
+  }
+  line->watch();
+  try {
+    line->socket_.bind(endpoint);
+  } catch (const zmq::error_t& error) {
+    throw Error(fmt::format("cannot listen at {}: {}", endpoint, error.what()));
+  }
+  line->endpoint_ = line->socket_.get(zmq::sockopt::last_endpoint);
+  return line;
+}
+
+std::unique_ptr<Line> Line::connect(const Connection& connection) {
+  check(connection.endpoint);
+  std::unique_ptr<Line> line(new Line(std::make_shared<zmq::context_t>(1)));
+  line->endpoint_ = connection.endpoint;
+  if (is_tcp(connection.endpoint)) {
+    require(connection.server_key.size() == 40,
+            "endpoint {}: tcp:// needs the coupler's public key of 40 characters; start the coupler with a "
+            "tcp:// "
+            "address and take its connection file",
+            connection.endpoint);
+    const CurveKeys keys = new_keys();
+    line->socket_.set(zmq::sockopt::curve_serverkey, connection.server_key);
+    line->socket_.set(zmq::sockopt::curve_publickey, keys.open.data());
+    line->socket_.set(zmq::sockopt::curve_secretkey, keys.secret.data());
+  }
+  line->watch();
+  try {
+    line->socket_.connect(connection.endpoint);
+  } catch (const zmq::error_t& error) {
+    throw Error(fmt::format("cannot connect to {}: {}", connection.endpoint, error.what()));
+  }
+  return line;
+}
+
+std::pair<std::unique_ptr<Line>, std::unique_ptr<Line>> Line::pair() {
+  const auto context = std::make_shared<zmq::context_t>(0);
+  std::unique_ptr<Line> first(new Line(context));
+  std::unique_ptr<Line> second(new Line(context));
+  first->closed_ = second->peer_closed_ = std::make_shared<std::atomic<bool>>(false);
+  second->closed_ = first->peer_closed_ = std::make_shared<std::atomic<bool>>(false);
+  first->endpoint_ = second->endpoint_ = "inproc://wire";
+  first->socket_.bind(first->endpoint_);
+  second->socket_.connect(second->endpoint_);
+  return {std::move(first), std::move(second)};
+}
+
+void Line::watch() {
+  socket_.set(zmq::sockopt::heartbeat_ivl, heartbeat_interval);
+  socket_.set(zmq::sockopt::heartbeat_timeout, static_cast<int>(silence * 1000));
+  if (zmq_socket_monitor(socket_.handle(), monitor_endpoint, watched_events) != 0) throw zmq::error_t();
+  monitor_ = zmq::socket_t(*context_, zmq::socket_type::pair);
+  monitor_.set(zmq::sockopt::linger, 0);
+  monitor_.connect(monitor_endpoint);
+}
+
+bool Line::take(zmq::message_t& message) {
+  while (zmq_msg_recv(message.handle(), socket_.handle(), ZMQ_DONTWAIT) < 0) {
+    if (zmq_errno() == EAGAIN) return false;
+    if (zmq_errno() != EINTR) throw zmq::error_t();
+  }
+  if (accepts_ && peer_descriptor_ < 0) peer_descriptor_ = zmq_msg_get(message.handle(), ZMQ_SRCFD);
+  return true;
+}
+
+bool Line::put(zmq::message_t&& message) {
+  while (zmq_msg_send(message.handle(), socket_.handle(), ZMQ_DONTWAIT) < 0) {
+    if (zmq_errno() == EAGAIN) return false;
+    if (zmq_errno() != EINTR) throw zmq::error_t();
+  }
+  return true;
+}
+
+void Line::sleep(double seconds) {
+  std::vector<zmq_pollitem_t> items = {{socket_.handle(), 0, ZMQ_POLLIN, 0}};
+  if (monitor_) items.push_back({monitor_.handle(), 0, ZMQ_POLLIN, 0});
+  const int count =
+      zmq_poll(items.data(), static_cast<int>(items.size()), static_cast<long>(seconds * 1000) + 1);
+  if (count < 0 && zmq_errno() != EINTR) throw zmq::error_t();
+}
+
+std::optional<std::string> Line::loss() {
+  if (monitor_) read_news();
+  if (!loss_ && peer_closed_ && *peer_closed_) loss_ = "it has closed the connection";
+  return loss_;
+}
+
+void Line::read_news() {
+  zmq::message_t head;
+  zmq::message_t address;
+  while (monitor_.recv(head, zmq::recv_flags::dontwait) && monitor_.recv(address, zmq::recv_flags::none)) {
+    std::uint16_t event = 0;
+    std::int32_t value = 0;
+    std::memcpy(&event, head.data(), sizeof event);
+    std::memcpy(&value, head.data<char>() + sizeof event, sizeof value);
+    if (event == ZMQ_EVENT_HANDSHAKE_SUCCEEDED) {
+      connected_ = !accepts_;
+    } else if (event != ZMQ_EVENT_DISCONNECTED) {
+      trouble_ = "a connection failed in its handshake: one side has no key, or that of another run";
+      if (!accepts_) loss_ = trouble_;
+    } else if (accepts_ ? value == peer_descriptor_ : connected_) {
+      loss_ =
+          fmt::format("the connection was lost: it has died, or has given no sign of life for {} s", silence);
+    }
+  }
+}
+
+void Line::set_linger(int milliseconds) { socket_.set(zmq::sockopt::linger, milliseconds); }
+
+}  // namespace cosurge

@@ -1,0 +1,72 @@
+// The ZeroMQ socket under a channel, and what its monitor tells of the other side.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <zmq.hpp>
+
+#include "common/connection.hpp"
+
+namespace cosurge {
+
+/// A PAIR socket with heartbeats. A dead peer's connection closes at once; a frozen peer's, or one behind a
+/// broken network, is closed when `silence` has passed without a sign of life. The answers come from ZeroMQ's
+/// own thread, so that a peer which computes for hours stays alive.
+class Line {
+ public:
+  /// Longer than any delay of a thread on an overloaded machine, and than the passage of one message.
+  static constexpr double silence = 3;  // [s]
+
+  static std::unique_ptr<Line> listen(const std::string& endpoint);
+  static std::unique_ptr<Line> connect(const Connection& connection);
+  static std::pair<std::unique_ptr<Line>, std::unique_ptr<Line>> pair();
+
+  Line(const Line&) = delete;
+  Line& operator=(const Line&) = delete;
+  ~Line();
+
+  const std::string& endpoint() const { return endpoint_; }
+  const std::string& server_key() const { return server_key_; }
+
+  /// Neither waits; false where there is no message, or nobody to take one.
+  bool take(zmq::message_t& message);
+  bool put(zmq::message_t&& message);
+
+  /// Sleeps until a message or news of the peer arrives, or the time is over.
+  void sleep(double seconds);
+
+  /// How the connection was lost, once it was.
+  std::optional<std::string> loss();
+
+  /// What has kept peers from connecting so far; mostly empty.
+  const std::string& trouble() const { return trouble_; }
+
+  /// How long closing may wait for sent messages to be delivered.
+  void set_linger(int milliseconds);
+
+ private:
+  explicit Line(std::shared_ptr<zmq::context_t> context);
+
+  void watch();
+  void read_news();
+
+  std::shared_ptr<zmq::context_t> context_;
+  zmq::socket_t socket_;
+  zmq::socket_t monitor_;  // of socket_; unused within one process
+  std::string endpoint_;
+  std::string server_key_;
+  bool accepts_ = false;    // listens, so that others than the peer may knock
+  bool connected_ = false;  // as the one that connects
+  int peer_descriptor_ = -1;
+  std::optional<std::string> loss_;
+  std::string trouble_;
+
+  // Sockets within one process have no connection that could break: each end tells the other that it closes.
+  std::shared_ptr<std::atomic<bool>> closed_;
+  std::shared_ptr<std::atomic<bool>> peer_closed_;
+};
+
+}  // namespace cosurge

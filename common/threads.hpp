@@ -1,0 +1,14 @@
+// Threads that wait asleep: on a shared machine OpenMP's spinning barriers slow everything down a
+// hundredfold.
+#pragma once
+
+namespace cosurge {
+
+/// OpenMP reads OMP_WAIT_POLICY once, before main: where it is not set, sets it to passive and starts this
+/// program anew in the same process. Call it first in main.
+void ensure_passive_waiting(char** argv);
+
+/// Of the parallel regions that the calling thread opens; 0 leaves it to OpenMP.
+void set_threads(int threads);
+
+}  // namespace cosurge

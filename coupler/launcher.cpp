@@ -1,0 +1,111 @@
+#include "coupler/launcher.hpp"
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+
+#include "common/serve.hpp"
+#include "common/threads.hpp"
+
+namespace cosurge {
+namespace {
+
+std::string solver_name(Role role) { return fmt::format("the {} solver", role_name(role)); }
+
+std::filesystem::path connection_file(Role role, const std::filesystem::path& folder) {
+  return folder / fmt::format("{}.connection", role_name(role));
+}
+
+}  // namespace
+
+RunFolder::RunFolder() {
+  // A socket's path must fit into 107 characters: a long TMPDIR is of no use here.
+  constexpr std::size_t longest = 60;
+  std::filesystem::path parent = std::filesystem::temp_directory_path();
+  if (parent.native().size() > longest) parent = "/tmp";
+  std::string name = (parent / "cosurge-XXXXXX").string();
+  require(::mkdtemp(name.data()) != nullptr, "cannot make a folder in {}: {}", parent.string(),
+          std::strerror(errno));
+  path_ = name;
+}
+
+RunFolder::~RunFolder() {
+  std::error_code none;
+  std::filesystem::remove_all(path_, none);
+}
+
+Solver::Solver(Role role, std::string token, Channel channel)
+    : role_(role), token_(std::move(token)), channel_(std::make_unique<Channel>(std::move(channel))) {}
+
+Solver::Solver(Solver&&) noexcept = default;
+
+Solver Solver::waiting(Role role, const Wiring& wiring) {
+  const std::string socket = fmt::format("ipc://{}/{}", wiring.folder.string(), role_name(role));
+  Channel channel = Channel::listen(
+      wiring.listen.empty() ? socket : wiring.listen,
+      {.peer = solver_name(role), .patience = wiring.patience, .message_limit = wiring.message_limit});
+  const Connection connection{
+      .role = role, .endpoint = channel.endpoint(), .token = new_token(), .server_key = channel.server_key()};
+  write_connection(connection, connection_file(role, wiring.folder));
+  return {role, connection.token, std::move(channel)};
+}
+
+Solver Solver::process(Role role, const Wiring& wiring, Command command, int threads) {
+  Solver solver = waiting(role, wiring);
+  const std::vector<std::string> added = {"--connect", connection_file(role, wiring.folder).string(),
+                                          "--threads", std::to_string(threads)};
+  command.arguments.insert(command.arguments.end(), added.begin(), added.end());
+  solver.process_ = std::make_unique<SolverProcess>(command);
+  return solver;
+}
+
+Solver Solver::by_hand(Role role, const Wiring& wiring, const std::string& program) {
+  Solver solver = waiting(role, wiring);
+  solver.how_to_start_ =
+      fmt::format("{} --connect {}", program, connection_file(role, wiring.folder).string());
+  return solver;
+}
+
+Solver Solver::thread(std::unique_ptr<Participant> participant, double patience, int threads) {
+  // As for a solver program: while one solver answers, the other waits.
+  constexpr double patience_of_solver = 3600;
+  const Role role = participant->identity().role;
+  const std::string token = new_token();
+  auto [near, far] = Channel::pair({.peer = solver_name(role), .patience = patience},
+                                   {.peer = "the coupler", .patience = patience_of_solver});
+  Solver solver(role, token, std::move(near));
+  solver.thread_ =
+      std::thread([served = std::move(participant), token, threads, wire = std::move(far)]() mutable {
+        set_threads(threads);
+        try {
+          serve(*served, wire, token);
+        } catch (const std::exception&) {
+          // The coupler has been told, or is what ended the run.
+        }
+      });
+  return solver;
+}
+
+Solver::~Solver() { stop("it has ended", std::chrono::milliseconds(500)); }
+
+RemoteParticipant& Solver::join(int dimension, const std::vector<std::string>& capabilities) {
+  Channel::PeerEnded ended;
+  if (process_) ended = [process = process_.get()] { return process->ended(); };
+  Channel channel = std::move(*channel_);
+  channel_.reset();
+  participant_ = std::make_unique<RemoteParticipant>(
+      std::move(channel),
+      RemoteParticipant::Expectation{
+          .role = role_, .token = token_, .dimension = dimension, .capabilities = capabilities},
+      std::move(ended));
+  return *participant_;
+}
+
+bool Solver::stop(const std::string& reason, std::chrono::milliseconds grace) {
+  if (participant_) participant_->abort(reason);
+  channel_.reset();
+  if (thread_.joinable()) thread_.join();
+  return process_ ? process_->stop(grace) : true;
+}
+
+}  // namespace cosurge

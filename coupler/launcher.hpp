@@ -1,0 +1,81 @@
+// Brings the solvers of a run to the coupler: as child processes, as threads, or started by hand.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "common/remote_participant.hpp"
+#include "coupler/solver_process.hpp"
+
+namespace cosurge {
+
+/// A new folder for the sockets and connection files of one run, which nobody else may enter; it goes with
+/// this object.
+class RunFolder {
+ public:
+  RunFolder();
+  ~RunFolder();
+  RunFolder(const RunFolder&) = delete;
+  RunFolder& operator=(const RunFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// Where the wire to a solver lies, and what it allows.
+struct Wiring {
+  std::filesystem::path folder;  ///< gets ROLE.connection and, unless `listen` says otherwise, the socket
+  std::string listen;            ///< "tcp://address:port", or empty for a socket in the folder
+  double patience = 600;         ///< longest wait for the solver's answer [s]
+  std::size_t message_limit = Channel::Options{}.message_limit;  ///< [bytes]
+};
+
+/// A solver that runs elsewhere. It is started at once, and welcomed by join(), so that several can start
+/// together. The destructor ends what was started and waits for its end.
+class Solver {
+ public:
+  /// Starts `command` as a child, with --connect and --threads added. `threads`: 0 leaves it to OpenMP.
+  static Solver process(Role role, const Wiring& wiring, Command command, int threads);
+
+  /// Serves a participant in a thread of this process.
+  static Solver thread(std::unique_ptr<Participant> participant, double patience, int threads);
+
+  /// Waits for somebody to type how_to_start().
+  static Solver by_hand(Role role, const Wiring& wiring, const std::string& program);
+
+  Solver(Solver&&) noexcept;
+  ~Solver();
+
+  /// The command that starts the solver by hand.
+  const std::string& how_to_start() const { return how_to_start_; }
+
+  /// Waits for the solver and welcomes it. @throws as RemoteParticipant.
+  RemoteParticipant& join(int dimension, const std::vector<std::string>& capabilities);
+
+  /// After join().
+  RemoteParticipant& participant() { return *participant_; }
+
+  /// Ends the solver if it has not ended: tells it why, waits `grace`, then uses force on a process. True
+  /// where it had ended without an error (always, for one started by hand).
+  bool stop(const std::string& reason, std::chrono::milliseconds grace);
+
+ private:
+  Solver(Role role, std::string token, Channel channel);
+  static Solver waiting(Role role, const Wiring& wiring);
+
+  Role role_;
+  std::string token_;
+  std::string how_to_start_;
+  std::unique_ptr<SolverProcess> process_;
+  std::thread thread_;
+  std::unique_ptr<Channel> channel_;  // until join()
+  std::unique_ptr<RemoteParticipant> participant_;
+};
+
+}  // namespace cosurge

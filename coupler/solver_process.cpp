@@ -1,0 +1,148 @@
+#include "coupler/solver_process.hpp"
+
+#include <fcntl.h>
+#include <linux/close_range.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <string_view>
+#include <thread>
+
+#include "common/error.hpp"
+
+namespace cosurge {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr milliseconds grace_of_destructor{500};
+constexpr milliseconds grace_after_term{1000};
+
+std::vector<char*> pointers(std::vector<std::string>& strings) {
+  std::vector<char*> list;
+  for (std::string& text : strings) list.push_back(text.data());
+  list.push_back(nullptr);
+  return list;
+}
+
+std::vector<std::string> passive_environment() {
+  std::vector<std::string> environment;
+  for (char** entry = environ; *entry != nullptr; ++entry) {
+    if (!std::string_view(*entry).starts_with("OMP_WAIT_POLICY=")) environment.emplace_back(*entry);
+  }
+  environment.emplace_back("OMP_WAIT_POLICY=passive");
+  return environment;
+}
+
+struct Start {
+  const char* program;
+  char** arguments;
+  char** environment;
+  int input;
+  int log;
+  int report;  // the error number of a failed exec goes here; closed by a successful one
+  pid_t parent;
+};
+
+/// Between fork and exec; nothing that takes a lock is allowed here, since other threads may have held it.
+[[noreturn]] void become(const Start& start) {
+  prctl(PR_SET_PDEATHSIG, SIGTERM);
+  if (getppid() != start.parent) _exit(1);  // it died before the line above
+  signal(SIGINT, SIG_IGN);
+  dup2(start.input, STDIN_FILENO);
+  dup2(start.log, STDOUT_FILENO);
+  dup2(start.log, STDERR_FILENO);
+  close_range(3, ~0U, CLOSE_RANGE_CLOEXEC);
+  execve(start.program, start.arguments, start.environment);
+  const int error = errno;
+  const auto written = write(start.report, &error, sizeof error);
+  _exit(written < 0 ? 2 : 1);
+}
+
+/// The last line of a log, where it has one.
+std::string last_line(const std::filesystem::path& log) {
+  std::ifstream file(log);
+  std::string last;
+  for (std::string line; std::getline(file, line);) {
+    if (!line.empty()) last = line;
+  }
+  return last;
+}
+
+}  // namespace
+
+std::filesystem::path beside_this_program(const std::string& name) {
+  return std::filesystem::read_symlink("/proc/self/exe").parent_path() / name;
+}
+
+SolverProcess::SolverProcess(const Command& command) : log_(command.log) {
+  std::vector<std::string> words = {command.program.string()};
+  words.insert(words.end(), command.arguments.begin(), command.arguments.end());
+  std::vector<std::string> settings = passive_environment();
+  std::vector<char*> arguments = pointers(words);
+  std::vector<char*> environment = pointers(settings);
+  const int log = open(command.log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  require(log >= 0, "{}: cannot write: {}", command.log.string(), std::strerror(errno));
+  const int input = open("/dev/null", O_RDONLY | O_CLOEXEC);
+  std::array<int, 2> report{};
+  require(pipe2(report.data(), O_CLOEXEC) == 0, "cannot make a pipe: {}", std::strerror(errno));
+  const Start start{words[0].c_str(), arguments.data(), environment.data(), input, log, report[1], getpid()};
+
+  pid_ = fork();
+  if (pid_ == 0) become(start);
+  int error = pid_ < 0 ? errno : 0;
+  close(log);
+  close(input);
+  close(report[1]);
+  const bool failed = pid_ < 0 || read(report[0], &error, sizeof error) == sizeof error;
+  close(report[0]);
+  if (!failed) return;
+  if (pid_ > 0) waitpid(pid_, nullptr, 0);
+  throw Error(fmt::format("cannot start {}: {}", words[0], std::strerror(error)));
+}
+
+SolverProcess::~SolverProcess() { stop(grace_of_destructor); }
+
+std::optional<std::string> SolverProcess::ended() {
+  if (!reap_within(milliseconds(0))) return std::nullopt;
+  std::string words;
+  if (WIFSIGNALED(*status_)) {
+    const int number = WTERMSIG(*status_);
+    words = fmt::format("it was killed by signal {} ({})", number, strsignal(number));
+  } else {
+    words = fmt::format("it has ended with exit code {}", WEXITSTATUS(*status_));
+  }
+  const std::string line = *status_ == 0 ? "" : last_line(log_);
+  return line.empty() ? words : fmt::format("{}; the last line of {}: {}", words, log_.string(), line);
+}
+
+bool SolverProcess::stop(milliseconds grace) {
+  if (reap_within(grace)) return *status_ == 0;
+  kill(pid_, SIGTERM);
+  if (!reap_within(grace_after_term)) {
+    kill(pid_, SIGKILL);
+    while (!reap_within(milliseconds(1000))) continue;
+  }
+  return false;
+}
+
+bool SolverProcess::reap_within(milliseconds time) {
+  const auto end = std::chrono::steady_clock::now() + time;
+  while (!status_) {
+    int status = 0;
+    const pid_t reaped = waitpid(pid_, &status, WNOHANG);
+    if (reaped == pid_) status_ = status;
+    if (reaped < 0 && errno != EINTR) status_ = 1 << 8;  // taken by somebody else: exit code unknown, not 0
+    if (status_ || std::chrono::steady_clock::now() >= end) break;
+    std::this_thread::sleep_for(milliseconds(5));
+  }
+  return status_.has_value();
+}
+
+}  // namespace cosurge
