@@ -141,7 +141,10 @@ class Walk {
     const auto bound = [&](bool ok, const char* relation, double limit) {
       if (!ok) errors_.add(path, fmt::format("{} must be {} {}{}", value, relation, limit, unit));
     };
-    if (!std::isfinite(value)) errors_.add(path, fmt::format("{} must be finite{}", value, unit));
+    if (!std::isfinite(value)) {
+      errors_.add(path, fmt::format("{} must be finite{}", value, unit));
+      return std::nullopt;
+    }
     if (rule.has_gt()) bound(value > rule.gt(), ">", rule.gt());
     if (rule.has_ge()) bound(value >= rule.ge(), ">=", rule.ge());
     if (rule.has_lt()) bound(value < rule.lt(), "<", rule.lt());
@@ -157,7 +160,7 @@ toml::table parse_value(const std::string& source, const std::string& value) {
   try {
     return toml::parse("value = " + value, source);
   } catch (const toml::parse_error&) {
-    return toml::table{{"value", value}};
+    return toml::parse("value = '" + value + "'", source);
   }
 }
 

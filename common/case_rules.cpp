@@ -121,6 +121,12 @@ void check_scene(const v1::Case& c, CaseErrors& errors) {
     check_spacing("solid.spacing", c.solid().spacing(), body_boxes(c.solid()), errors);
 }
 
+void check_fluid(const v1::Fluid& fluid, CaseErrors& errors) {
+  if (fluid.re_laplacian() > 2 * fluid.re_gradient())
+    errors.add("fluid.re_laplacian",
+               fmt::format("{} must be <= 2 fluid.re_gradient = {}", fluid.re_laplacian(), 2 * fluid.re_gradient()));
+}
+
 void check_solid(const v1::Case& c, CaseErrors& errors) {
   const v1::Solid& solid = c.solid();
   if (!solid.has_spacing() && !c.has_fluid()) return errors.add("solid.spacing", "missing (there is no fluid to take it from)");
@@ -197,6 +203,7 @@ void check_rules(const v1::Case& c, CaseErrors& errors) {
   if (c.has_coupling() && !(c.has_fluid() && c.has_solid()))
     errors.add("coupling", "only where there are a [fluid] and a [solid]");
   check_scene(c, errors);
+  if (c.has_fluid()) check_fluid(c.fluid(), errors);
   if (c.has_solid()) check_solid(c, errors);
   check_probes(c, errors);
   check_times(c, errors);

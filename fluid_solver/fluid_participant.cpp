@@ -1,0 +1,142 @@
+#include "fluid_solver/fluid_participant.hpp"
+
+#include <cassert>
+
+#include "common/version.hpp"
+#include "fluid_solver/gauges.hpp"
+#include "fluid_solver/mps.hpp"
+
+namespace cosurge::fluid {
+
+/// A scene of either dimension.
+class FluidParticipant::Scene {
+ public:
+  virtual ~Scene() = default;
+  virtual Setup describe(Interface& interface, Surface& surface) = 0;
+  virtual Report advance(const Window& window, Surface& surface) = 0;
+  virtual std::string save() = 0;
+  virtual void restore(const std::string& state) = 0;
+  virtual Snapshot frame() = 0;
+};
+
+template <int dim>
+class FluidParticipant::SceneOf : public Scene {
+ public:
+  explicit SceneOf(const v1::Case& the_case)
+      : case_(the_case),
+        gravity_(Eigen::Map<const Vec<dim>>(the_case.gravity().data())),
+        mps_(the_case.fluid(), the_case.has_solid() ? &the_case.solid() : nullptr, gravity_) {}
+
+  Setup describe(Interface& interface, Surface& surface) override {
+    interface = mps_.bodies().interface();
+    surface = Surface::at_rest(dim, interface.points());
+    Setup setup{.columns = {{"ppe_iterations", "-"},
+                            {"ppe_residual", "-"},
+                            {"ppe_unknowns", "-"},
+                            {"max_speed", "m/s"},
+                            {"kinetic_energy", "J"},
+                            {"gravity_energy", "J"},
+                            {"front", "m"},
+                            {"lost", "-"},
+                            {"inside_bodies", "-"},
+                            {"seconds_predict", "s"},
+                            {"seconds_neighbors", "s"},
+                            {"seconds_density", "s"},
+                            {"seconds_ppe_assembly", "s"},
+                            {"seconds_ppe_solve", "s"},
+                            {"seconds_gradient", "s"},
+                            {"cpu_seconds", "s"}},
+                .particles = static_cast<std::uint64_t>(mps_.initial_size()),
+                .window = case_.time().window(),
+                .substep = 0};
+    for (const v1::Probe& probe : case_.output().probe()) {
+      if (probe.quantity() != v1::Probe::pressure) continue;
+      setup.columns.push_back({probe.name(), "Pa"});
+      probes_.emplace_back(probe.name(), Eigen::Map<const Vec<dim>>(probe.position().data()), interface, spacing());
+    }
+    return setup;
+  }
+
+  Report advance(const Window& window, Surface& surface) override {
+    mps_.move_bodies(surface.displacement, surface.velocity);
+    const StepReport step = mps_.step(window.start, window.size);
+    mps_.load(surface);
+    const WaterState water = survey_water(mps_, particle_mass(), spacing(), gravity_);
+    Report report;
+    report.values = {static_cast<double>(step.pressure.iterations),
+                     step.pressure.relative_residual,
+                     static_cast<double>(mps_.unknowns()),
+                     step.max_speed,
+                     water.kinetic_energy,
+                     water.gravity_energy,
+                     water.front,
+                     static_cast<double>(mps_.initial_size() - mps_.particles().size()),
+                     static_cast<double>(water.inside_bodies)};
+    for (const double seconds : mps_.clock().seconds()) report.values.push_back(seconds);
+    report.values.push_back(cpu_seconds() - cpu_start_);
+    for (const auto& probe : probes_) report.values.push_back(probe.read(surface.pressure));
+    report.window = step.max_window;
+    return report;
+  }
+
+  std::string save() override { return mps_.save(); }
+  void restore(const std::string& state) override { mps_.restore(state); }
+
+  Snapshot frame() override {
+    const auto count = static_cast<std::size_t>(mps_.initial_size());
+    const float nothing = std::numeric_limits<float>::quiet_NaN();  // where a particle is lost
+    Array position{"position", "m", dim, std::vector<float>(dim * count, nothing)};
+    Array velocity{"velocity", "m/s", dim, std::vector<float>(dim * count, nothing)};
+    Array pressure{"pressure", "Pa", 1, std::vector<float>(count, nothing)};
+    Array density{"number_density", "n0", 1, std::vector<float>(count, nothing)};
+    Array kind{"kind", "-", 1, std::vector<float>(count)};
+    for (std::size_t id = 0; id < count; ++id) kind.values[id] = static_cast<float>(mps_.initial_kind()[id]);
+    const Particles<dim>& particles = mps_.particles();
+    for (int i = 0; i < particles.size(); ++i) {
+      const auto id = static_cast<std::size_t>(particles.id[i]);
+      for (int k = 0; k < dim; ++k) {
+        position.values[dim * id + k] = static_cast<float>(particles.x[i][k]);
+        velocity.values[dim * id + k] = static_cast<float>(particles.u[i][k]);
+      }
+      pressure.values[id] = static_cast<float>(particles.p[i]);
+      density.values[id] = static_cast<float>(particles.n[i] / mps_.n0());
+    }
+    return {position, velocity, pressure, density, kind};
+  }
+
+ private:
+  double spacing() const { return case_.fluid().spacing(); }
+  double particle_mass() const { return case_.fluid().density() * std::pow(spacing(), dim); }
+
+  v1::Case case_;
+  Vec<dim> gravity_;
+  Mps<dim> mps_;
+  std::vector<SurfacePressureProbe<dim>> probes_;
+  double cpu_start_ = cpu_seconds();
+};
+
+FluidParticipant::FluidParticipant() = default;
+FluidParticipant::~FluidParticipant() = default;
+
+Identity FluidParticipant::identity() const {
+  return {.role = Role::fluid,
+          .program = "fluid_solver",
+          .version = version,
+          .dimensions = {2, 3},
+          .capabilities = {"save", "frame"}};
+}
+
+Setup FluidParticipant::initialize(const v1::Case& the_case, Interface& interface, Surface& surface) {
+  if (the_case.dimension() == 2)
+    scene_ = std::make_unique<SceneOf<2>>(the_case);
+  else
+    scene_ = std::make_unique<SceneOf<3>>(the_case);
+  return scene_->describe(interface, surface);
+}
+
+Report FluidParticipant::advance(const Window& window, Surface& surface) { return scene_->advance(window, surface); }
+std::string FluidParticipant::save() { return scene_->save(); }
+void FluidParticipant::restore(const std::string& state) { scene_->restore(state); }
+Snapshot FluidParticipant::frame() { return scene_->frame(); }
+
+}  // namespace cosurge::fluid

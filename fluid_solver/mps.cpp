@@ -1,0 +1,286 @@
+#include "fluid_solver/mps.hpp"
+
+#include <cmath>
+
+#include "common/error.hpp"
+#include "common/ordered_sum.hpp"
+#include "common/state_bytes.hpp"
+#include "fluid_solver/operators.hpp"
+#include "fluid_solver/pressure/source.hpp"
+#include "fluid_solver/tank.hpp"
+
+namespace cosurge::fluid {
+namespace {
+
+constexpr int loose = 3;             // neighbours up to which a particle flies freely and no longer limits the step
+constexpr double free_flight = 0.5;  // of l0 that such a particle may fly in a step: it must not pass a wall unseen
+
+/// Layers behind the wall: as many as complete the Laplacian of a particle in the wall.
+int dummy_layers(const v1::Fluid& fluid) { return static_cast<int>(std::ceil(fluid.re_laplacian())) - 1; }
+
+template <int dim>
+PoissonParameters<dim> poisson_parameters(const v1::Fluid& fluid, const Vec<dim>& gravity) {
+  return {.spacing = fluid.spacing(),
+          .re = fluid.re_laplacian() * fluid.spacing(),
+          .density = fluid.density(),
+          .compressibility = fluid.compressibility(),
+          .gravity = gravity};
+}
+
+}  // namespace
+
+template <int dim>
+Mps<dim>::Mps(const v1::Fluid& fluid, const v1::Solid* solid, const Vec<dim>& gravity)
+    : parameters_(fluid),
+      gravity_(gravity),
+      reference_(reference_values<dim>(fluid.re_gradient() * fluid.spacing(), fluid.spacing())),
+      tank_(fluid.tank()),
+      neighbors_(tank_domain<dim>(tank_, dummy_layers(fluid), fluid.spacing()), fluid.re_gradient() * fluid.spacing()),
+      poisson_(poisson_parameters<dim>(fluid, gravity)),
+      preconditioner_(make_preconditioner(fluid.pressure())) {
+  for (const v1::Box& water : fluid.water())
+    for (const Vec<dim>& x : fill(Box<dim>(water), fluid.spacing())) particles_.add(Kind::fluid, x);
+  add_tank(particles_, tank_, dummy_layers(fluid), fluid.spacing());
+  first_body_id_ = particles_.size();
+  if (solid != nullptr) bodies_ = Bodies<dim>(*solid, tank_, fluid.spacing());
+  for (int k = 0; k < bodies_.points(); ++k)
+    particles_.add(bodies_.wet(k) ? Kind::body_surface : Kind::body_inner, bodies_.position(k));
+  initial_size_ = particles_.size();
+  // Ten times the speed of a fall through the whole domain: jets of impacts reach two or three times.
+  const double fall = 2 * (tank_.max - tank_.min).maxCoeff();
+  const double sound = 1 / std::sqrt(fluid.density() * fluid.compressibility());
+  speed_bound_ = gravity.norm() > 0 ? 10 * std::sqrt(2 * gravity.norm() * fall) : sound;
+  initial_kind_ = particles_.kind;
+  search_neighbors();
+  const Field at_rest = Field::Zero(dim, bodies_.points());
+  move_bodies(at_rest, at_rest);
+}
+
+template <int dim>
+StepReport Mps<dim>::step(double start, double dt) {
+  predict(dt);              // u* = u + dt g, x* = x + dt u*
+  search_neighbors();
+  diffuse_and_collide(dt);  // u* += dt nu lap u*, and collisions
+  density_and_free_surface(particles_, neighbors_, reference_.n0,
+                           {.beta = parameters_.free_surface().beta(),
+                            .delta = parameters_.free_surface().delta() * parameters_.spacing()});
+  const SolveReport pressure = solve_pressure(start, dt);
+  correct(dt);              // u = u* - dt / rho grad p, x = x* + dt (u - u*)
+  StepReport report = survey(start + dt);
+  report.pressure = pressure;
+  clock_.leave();
+  return report;
+}
+
+template <int dim>
+void Mps<dim>::move_bodies(const Field& displacement, const Field& velocity) {
+  body_areas_ = bodies_.deformed_areas(displacement);
+  max_body_speed_ = 0;
+  for (int k = 0; k < bodies_.points(); ++k) {
+    const std::int32_t place = body_place_[k];
+    particles_.x[place] = bodies_.position(k) + displacement.col(k);
+    particles_.u[place] = velocity.col(k);
+    max_body_speed_ = std::max(max_body_speed_, velocity.col(k).norm());
+  }
+}
+
+template <int dim>
+void Mps<dim>::load(Surface& surface) const {
+  for (int k = 0; k < bodies_.points(); ++k) {
+    surface.pressure[k] = bodies_.wet(k) ? particles_.p[body_place_[k]] : 0.0;
+    surface.force.col(k) = -surface.pressure[k] * body_areas_[k];
+  }
+}
+
+template <int dim>
+void Mps<dim>::predict(double dt) {
+  clock_.enter(predicting);
+#pragma omp parallel for schedule(static)
+  for (int i = 0; i < particles_.size(); ++i) {
+    if (particles_.kind[i] != Kind::fluid) continue;
+    particles_.u[i] += dt * gravity_;
+    particles_.x[i] += dt * particles_.u[i];
+  }
+}
+
+/// Sorts and lists; what has gone through a wall is moved out of the domain first, and so drops out.
+template <int dim>
+void Mps<dim>::search_neighbors() {
+  clock_.enter(searching);
+  Box<dim> allowed = tank_;
+  allowed.min.array() -= parameters_.spacing();
+  allowed.max.array() += parameters_.spacing();
+  allowed.max[dim - 1] = std::numeric_limits<double>::max();  // the domain bounds the open top
+  const Vec<dim> outside = Vec<dim>::Constant(tank_.max.maxCoeff() + 1e3 * parameters_.spacing());
+  for (int i = 0; i < particles_.size(); ++i)
+    if (particles_.kind[i] == Kind::fluid && !allowed.contains(particles_.x[i])) particles_.x[i] = 10 * outside;
+  neighbors_.rebuild(particles_);
+  locate_bodies();
+}
+
+template <int dim>
+void Mps<dim>::locate_bodies() {
+  body_place_.resize(static_cast<std::size_t>(bodies_.points()));
+  areas_.resize(static_cast<std::size_t>(particles_.size()));
+  for (int i = 0; i < particles_.size(); ++i) {
+    const int point = particles_.id[i] - first_body_id_;
+    if (point < 0) continue;
+    body_place_[point] = i;
+    if (!body_areas_.empty()) areas_[i] = body_areas_[point];
+  }
+}
+
+template <int dim>
+void Mps<dim>::diffuse_and_collide(double dt) {
+  clock_.enter(evaluating);
+  const CollisionLaw law{.distance = parameters_.collision().distance() * parameters_.spacing(),
+                         .restitution = parameters_.collision().restitution()};
+  const double nu = parameters_.kinematic_viscosity();
+  change_.assign(static_cast<std::size_t>(particles_.size()), Vec<dim>::Zero());
+#pragma omp parallel for schedule(dynamic, Rows::chunk)
+  for (int i = 0; i < particles_.size(); ++i) {
+    if (particles_.kind[i] != Kind::fluid) continue;
+    change_[i] = collision(particles_, neighbors_, i, law);
+    if (nu > 0)
+      change_[i] += dt * nu * velocity_laplacian(particles_, neighbors_, i, reference_.n0, reference_.lambda0);
+  }
+  for (int i = 0; i < particles_.size(); ++i) particles_.u[i] += change_[i];
+}
+
+/// Right-hand side S of the pressure equation for each particle, by the case's choice.
+template <int dim>
+void Mps<dim>::set_source(double dt) {
+  const double rate = std::min(parameters_.propagation_speed() / parameters_.spacing(), 1 / dt);
+  const auto source = [&](const SourceInput& in) {
+    switch (parameters_.source()) {
+      case v1::Fluid::deviation:
+        return deviation_source(in, parameters_.gamma());
+      case v1::Fluid::mixed:
+        return mixed_source(in, parameters_.gamma());
+      case v1::Fluid::time_scale:
+        return time_scale_source(in, rate);
+    }
+    return 0.0;
+  };
+  const bool needs_divergence = parameters_.source() != v1::Fluid::deviation;
+  source_.resize(static_cast<std::size_t>(particles_.size()));
+#pragma omp parallel for schedule(dynamic, Rows::chunk)
+  for (int i = 0; i < particles_.size(); ++i) {
+    if (!has_pressure(particles_.kind[i]) || particles_.free_surface[i] != 0) continue;
+    source_[i] = source({.density = parameters_.density(),
+                         .dt = dt,
+                         .deviation = (particles_.n[i] - reference_.n0) / reference_.n0,
+                         .divergence = needs_divergence ? divergence(particles_, neighbors_, i, reference_.n0) : 0});
+  }
+}
+
+template <int dim>
+SolveReport Mps<dim>::solve_pressure(double start, double dt) {
+  clock_.enter(assembling);
+  set_source(dt);
+  poisson_.assemble(particles_, neighbors_.grid(), source_, areas_, dt);
+  clock_.enter(solving);
+  const auto& unknowns = poisson_.unknowns();
+  pressure_.resize(unknowns.size());
+  for (std::size_t k = 0; k < unknowns.size(); ++k) pressure_[k] = particles_.p[unknowns[k]];  // warm start
+  const v1::Pressure& choice = parameters_.pressure();
+  SolveReport report;
+  if (!unknowns.empty()) {
+    preconditioner_->set_up(poisson_.matrix(), poisson_.cells());
+    report = conjugate_gradient(poisson_.matrix(), poisson_.right_hand_side(), *preconditioner_, choice.tolerance(),
+                                choice.max_iterations(), pressure_);
+  }
+  if (!report.converged)
+    throw NumericalError(fmt::format("pressure: residual {:.2e} > {:.2e} after {} iterations at t = {:.6g} s; raise "
+                                     "fluid.pressure.max_iterations or lower time.window",
+                                     report.relative_residual, choice.tolerance(), report.iterations, start));
+  std::fill(particles_.p.begin(), particles_.p.end(), 0.0);
+  for (std::size_t k = 0; k < unknowns.size(); ++k) particles_.p[unknowns[k]] = std::max(0.0, pressure_[k]);
+  return report;
+}
+
+template <int dim>
+void Mps<dim>::correct(double dt) {
+  clock_.enter(correcting);
+  const double step = dt / parameters_.density();
+  const Vec<dim> rho_g = parameters_.density() * gravity_;
+  const bool conserving = parameters_.gradient() == v1::Fluid::conserving;
+  push_.resize(static_cast<std::size_t>(particles_.size()));
+#pragma omp parallel for schedule(dynamic, Rows::chunk)
+  for (int i = 0; i < particles_.size(); ++i) {
+    if (particles_.kind[i] != Kind::fluid) continue;
+    push_[i] = -step * (conserving ? gradient_conserving(particles_, neighbors_, i, reference_.n0, rho_g)
+                                   : gradient_p_min(particles_, neighbors_, i, reference_.n0));
+  }
+#pragma omp parallel for schedule(static)
+  for (int i = 0; i < particles_.size(); ++i) {
+    if (particles_.kind[i] != Kind::fluid) continue;
+    particles_.u[i] += push_[i];
+    particles_.x[i] += dt * (change_[i] + push_[i]);
+  }
+}
+
+/// Speeds, the next step that they allow, and the bounds of what is physical.
+template <int dim>
+StepReport Mps<dim>::survey(double end) {
+  double fastest = 0;          // of all
+  double fastest_bound = max_body_speed_;  // of those with enough neighbours to feel and make pressures
+  int which = -1;
+  for (int i = 0; i < particles_.size(); ++i) {
+    if (particles_.kind[i] != Kind::fluid) continue;
+    const double speed = particles_.u[i].norm();
+    if (!(speed <= fastest)) which = i, fastest = speed;
+    if (neighbors_.count(i) > loose) fastest_bound = std::max(fastest_bound, speed);
+    if (std::isnan(speed)) break;
+  }
+  if (!(fastest <= speed_bound_)) {
+    throw NumericalError(fmt::format(
+        "fluid particle {} at ({:.4g}, {:.4g}) moves at {:.4g} m/s at t = {:.6g} s, beyond any physical bound "
+        "({:.4g} m/s): the pressure has blown up; lower time.window or fluid.courant",
+        particles_.id[which], particles_.x[which][0], particles_.x[which][1], fastest, end, speed_bound_));
+  }
+  const double spacing = parameters_.spacing();
+  const double gravity_limit = std::sqrt(spacing / std::max(gravity_.norm(), 1e-12));
+  const double viscous_limit = 0.2 * spacing * spacing / std::max(parameters_.kinematic_viscosity(), 1e-12);
+  const double advective = parameters_.courant() * spacing / std::max(fastest_bound, 1e-12);
+  const double flight = free_flight * spacing / std::max(fastest, 1e-12);
+  return {.pressure = {},
+          .max_speed = fastest,
+          .max_window = std::min({advective, flight, viscous_limit, parameters_.courant() * gravity_limit})};
+}
+
+template <int dim>
+std::string Mps<dim>::save() const {
+  StateWriter state;
+  state.put(particles_.x);
+  state.put(particles_.u);
+  state.put(particles_.p);
+  state.put(particles_.n);
+  state.put(particles_.kind);
+  state.put(particles_.id);
+  state.put(particles_.free_surface);
+  state.put(body_areas_);
+  state.put(max_body_speed_);
+  return state.take();
+}
+
+template <int dim>
+void Mps<dim>::restore(const std::string& bytes) {
+  StateReader state(bytes);
+  state.get(particles_.x);
+  state.get(particles_.u);
+  state.get(particles_.p);
+  state.get(particles_.n);
+  state.get(particles_.kind);
+  state.get(particles_.id);
+  state.get(particles_.free_surface);
+  state.get(body_areas_);
+  state.get(max_body_speed_);
+  state.finish();
+  locate_bodies();
+}
+
+template class Mps<2>;
+template class Mps<3>;
+
+}  // namespace cosurge::fluid

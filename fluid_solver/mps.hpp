@@ -1,0 +1,90 @@
+// The semi-implicit MPS step.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "common/phase_clock.hpp"
+#include "fluid_solver/bodies.hpp"
+#include "fluid_solver/collision.hpp"
+#include "fluid_solver/density.hpp"
+#include "fluid_solver/pressure/poisson_equation.hpp"
+
+namespace cosurge::fluid {
+
+/// Phases of a step whose wall time is added up.
+enum Phase : std::size_t { predicting, searching, evaluating, assembling, solving, correcting, phase_count };
+
+/// What one step says of itself.
+struct StepReport {
+  SolveReport pressure;
+  double max_speed = 0;     ///< of all fluid particles [m/s]
+  double max_window = 0;    ///< largest next step [s]: eq. (17)
+};
+
+template <int dim>
+class Mps {
+ public:
+  /// Lays out water, walls and the bodies' points at rest. `solid` may be null.
+  Mps(const v1::Fluid& fluid, const v1::Solid* solid, const Vec<dim>& gravity);
+
+  /// One step of `dt` [s] with the bodies where move_bodies() put them.
+  /// @throws NumericalError when the pressure does not converge, a particle leaves all physical bounds, or the water
+  /// collapses; the message names time, particle, cause and remedy.
+  StepReport step(double start, double dt);
+
+  /// Puts the bodies' points to their displaced positions; both dimension x points [m], [m/s].
+  void move_bodies(const Field& displacement, const Field& velocity);
+
+  /// Load on the bodies' points by eq. (15): f = -P A. Fills force [N] and pressure [Pa].
+  void load(Surface& surface) const;
+
+  const Bodies<dim>& bodies() const { return bodies_; }
+  const Particles<dim>& particles() const { return particles_; }
+  int initial_size() const { return initial_size_; }
+  const std::vector<Kind>& initial_kind() const { return initial_kind_; }
+  const Neighbors<dim>& neighbors() const { return neighbors_; }
+  double n0() const { return reference_.n0; }
+  const PhaseClock<phase_count>& clock() const { return clock_; }
+  int unknowns() const { return poisson_.matrix().size(); }
+  std::int64_t matrix_entries() const { return poisson_.matrix().rows.entries(); }
+
+  std::string save() const;
+  void restore(const std::string& state);
+
+ private:
+  void predict(double dt);
+  void search_neighbors();
+  void locate_bodies();
+  void diffuse_and_collide(double dt);
+  void set_source(double dt);
+  SolveReport solve_pressure(double start, double dt);
+  void correct(double dt);
+  StepReport survey(double end);
+
+  v1::Fluid parameters_;
+  Vec<dim> gravity_;
+  ReferenceValues reference_;  // of the small radius
+  Box<dim> tank_;
+  Bodies<dim> bodies_;
+  Particles<dim> particles_;
+  int initial_size_ = 0;
+  std::vector<Kind> initial_kind_;  // by id
+  Neighbors<dim> neighbors_;
+  PoissonEquation<dim> poisson_;
+  std::unique_ptr<Preconditioner> preconditioner_;
+  PhaseClock<phase_count> clock_;
+
+  double speed_bound_ = 0;     // [m/s]
+  double max_body_speed_ = 0;
+  int first_body_id_ = 0;
+  std::vector<Vec<dim>> body_areas_;       // A of each body point, deformed
+  std::vector<std::int32_t> body_place_;   // of each body point among the particles
+  std::vector<Vec<dim>> areas_;            // A by place, for the pressure equation
+  std::vector<Vec<dim>> change_;           // of the velocity since the prediction, by place
+  std::vector<Vec<dim>> push_;             // of the pressure on the velocity, by place
+  std::vector<double> source_;             // of the pressure equation, by place
+  std::vector<double> pressure_;           // of the unknowns
+};
+
+}  // namespace cosurge::fluid

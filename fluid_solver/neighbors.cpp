@@ -1,0 +1,49 @@
+#include "fluid_solver/neighbors.hpp"
+
+#include "common/error.hpp"
+
+namespace cosurge::fluid {
+namespace {
+
+constexpr int expected_neighbors(int dim) { return dim == 2 ? 20 : 50; }  // 12 and 32 on the lattice, and disorder
+
+template <int dim>
+void check_crowding(const CellGrid<dim>& grid, const Particles<dim>& particles) {
+  constexpr int widest = dim == 2 ? 25 : 125;  // cells that the pressure equation looks at around one
+  for (int c = 0; c < grid.cells(); ++c) {
+    if (grid.population(c) <= Rows::slack / widest) continue;
+    const Vec<dim> x = particles.x[static_cast<std::size_t>(grid.first(c))];
+    throw NumericalError(fmt::format("{} particles lie in one cell of the neighbour search, at ({:.4g}, {:.4g}): the "
+                                     "water has collapsed there; use a smaller window or a smaller compressibility",
+                                     grid.population(c), x[0], x[1]));
+  }
+}
+
+}  // namespace
+
+template <int dim>
+void Neighbors<dim>::rebuild(Particles<dim>& particles) {
+  particles.reorder(grid_.sort(particles.x));
+  check_crowding(grid_, particles);
+  const double re2 = re_ * re_;
+  const auto* x = particles.x.data();
+  const auto list = [&](int i, std::int64_t place) {
+    if (!has_pressure(particles.kind[i])) return std::int64_t{0};
+    std::int32_t* const entries = index_.data() + place;
+    std::int64_t count = 0;
+    grid_.ranges(grid_.cell_of(x[i]), 1, [&](std::int32_t first, std::int32_t last) {
+      for (std::int32_t j = first; j < last; ++j) {
+        entries[count] = j;
+        count += static_cast<std::int64_t>((x[j] - x[i]).squaredNorm() < re2) & static_cast<std::int64_t>(j != i);
+      }
+    });
+    return count;
+  };
+  rows_.fill(particles.size(), expected_neighbors(dim), [&](std::int64_t room) { index_.resize(static_cast<std::size_t>(room)); },
+             list);
+}
+
+template class Neighbors<2>;
+template class Neighbors<3>;
+
+}  // namespace cosurge::fluid

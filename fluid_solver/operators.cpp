@@ -1,0 +1,65 @@
+#include "fluid_solver/operators.hpp"
+
+#include "fluid_solver/weight.hpp"
+
+namespace cosurge::fluid {
+
+template <int dim>
+Vec<dim> gradient_p_min(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i, double n0) {
+  // One pass: sum (P_j - P_min) c_j = sum P_j c_j - P_min sum c_j with c_j = w x_ij / r^2, taken relative to P_i.
+  const double p_i = particles.p[i];
+  double p_min = 0;
+  Vec<dim> sum = Vec<dim>::Zero();
+  Vec<dim> directions = Vec<dim>::Zero();
+  neighbors.each(particles, i, [&](int j, const Vec<dim>& x_ij, double r) {
+    if (!has_pressure(particles.kind[j])) return;
+    const double p_ij = particles.p[j] - p_i;
+    p_min = std::min(p_min, p_ij);
+    const Vec<dim> direction = weight(r, neighbors.re()) / (r * r) * x_ij;
+    sum += p_ij * direction;
+    directions += direction;
+  });
+  return dim / n0 * (sum - p_min * directions);
+}
+
+template <int dim>
+Vec<dim> gradient_conserving(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i, double n0,
+                             const Vec<dim>& rho_g) {
+  const double p_i = particles.p[i];
+  Vec<dim> sum = Vec<dim>::Zero();
+  neighbors.each(particles, i, [&](int j, const Vec<dim>& x_ij, double r) {
+    const double p_j = has_pressure(particles.kind[j]) ? particles.p[j] : std::max(0.0, p_i + rho_g.dot(x_ij));
+    sum += (p_j + p_i) * weight(r, neighbors.re()) / (r * r) * x_ij;
+  });
+  return dim / n0 * sum;
+}
+
+template <int dim>
+double divergence(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i, double n0) {
+  double sum = 0;
+  neighbors.each(particles, i, [&](int j, const Vec<dim>& x_ij, double r) {
+    sum += (particles.u[j] - particles.u[i]).dot(x_ij) * weight(r, neighbors.re()) / (r * r);
+  });
+  return dim / n0 * sum;
+}
+
+template <int dim>
+Vec<dim> velocity_laplacian(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i, double n0,
+                            double lambda0) {
+  Vec<dim> sum = Vec<dim>::Zero();
+  neighbors.each(particles, i, [&](int j, const Vec<dim>&, double r) {
+    sum += weight(r, neighbors.re()) * (particles.u[j] - particles.u[i]);
+  });
+  return 2 * dim / (lambda0 * n0) * sum;
+}
+
+template Vec<2> gradient_p_min<2>(const Particles<2>&, const Neighbors<2>&, int, double);
+template Vec<3> gradient_p_min<3>(const Particles<3>&, const Neighbors<3>&, int, double);
+template Vec<2> gradient_conserving<2>(const Particles<2>&, const Neighbors<2>&, int, double, const Vec<2>&);
+template Vec<3> gradient_conserving<3>(const Particles<3>&, const Neighbors<3>&, int, double, const Vec<3>&);
+template double divergence<2>(const Particles<2>&, const Neighbors<2>&, int, double);
+template double divergence<3>(const Particles<3>&, const Neighbors<3>&, int, double);
+template Vec<2> velocity_laplacian<2>(const Particles<2>&, const Neighbors<2>&, int, double, double);
+template Vec<3> velocity_laplacian<3>(const Particles<3>&, const Neighbors<3>&, int, double, double);
+
+}  // namespace cosurge::fluid

@@ -1,0 +1,39 @@
+// What the step asks of a solver of the pressure equation.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "fluid_solver/pressure/matrix.hpp"
+#include "proto/case.pb.h"
+
+namespace cosurge::fluid {
+
+struct [[nodiscard]] SolveReport {
+  int iterations = 0;
+  double relative_residual = 0;  ///< ||b - A x|| / ||b||, computed from x and not from the recurrence
+  bool converged = true;
+};
+
+/// The groups of unknowns that the neighbour search already has: unknowns are numbered by cell.
+struct CellsOfUnknowns {
+  std::vector<std::int32_t> first;  ///< first unknown of each cell that has any, and the end
+  std::vector<std::array<int, 3>> cell;  ///< coordinates of those cells
+};
+
+/// An approximate inverse: symmetric, positive definite, the same for every vector until it is set up again.
+class Preconditioner {
+ public:
+  virtual ~Preconditioner() = default;
+  virtual void set_up(const Matrix& A, const CellsOfUnknowns& cells) = 0;
+  virtual void apply(const std::vector<double>& r, std::vector<double>& z) = 0;
+};
+
+std::unique_ptr<Preconditioner> make_preconditioner(const v1::Pressure& choice);
+
+/// Preconditioned conjugate gradients (Barrett et al. 1994, Templates, fig. 2.5) from the start value in x, until
+/// ||b - A x|| <= tolerance ||b||. The residual is recomputed before success is reported.
+SolveReport conjugate_gradient(const Matrix& A, const std::vector<double>& b, Preconditioner& M, double tolerance,
+                               int max_iterations, std::vector<double>& x);
+
+}  // namespace cosurge::fluid

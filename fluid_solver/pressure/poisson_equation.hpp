@@ -1,0 +1,50 @@
+// The pressure Poisson equation.
+#pragma once
+
+#include "fluid_solver/neighbors.hpp"
+#include "fluid_solver/pressure/linear_solver.hpp"
+#include "fluid_solver/reference_values.hpp"
+
+namespace cosurge::fluid {
+
+template <int dim>
+struct PoissonParameters {
+  double spacing;          ///< l0 [m]
+  double re;               ///< effective radius of the Laplacian [m]
+  double density;          ///< rho [kg/m3]
+  double compressibility;  ///< alpha [1/Pa]
+  Vec<dim> gravity;        ///< [m/s2]
+};
+
+/// Eq. (11): (2 d / (lambda0 n0)) sum (P_j - P_i) w - alpha rho / dt^2 P_i = S_i for every particle with a pressure that
+/// is not free surface (P = 0 there). Times -lambda0 n0 / (2 d) it is a symmetric M-matrix. Dummies and inner points
+/// of bodies stand for P_j = P_i + rho g . x_ij: the Neumann condition of a wall at rest. Pairs that see each other
+/// through a body do not count.
+template <int dim>
+class PoissonEquation {
+ public:
+  explicit PoissonEquation(const PoissonParameters<dim>& parameters);
+
+  /// Builds matrix and right-hand side. `source` is S for each particle [kg/(m3 s2)], `areas` the area vectors of the
+  /// particles on body surfaces (others are not looked at), both by place.
+  void assemble(const Particles<dim>& particles, const CellGrid<dim>& grid, const std::vector<double>& source,
+                const std::vector<Vec<dim>>& areas, double dt);
+
+  const Matrix& matrix() const { return A_; }
+  const std::vector<double>& right_hand_side() const { return b_; }
+  const CellsOfUnknowns& cells() const { return cells_; }
+  const std::vector<std::int32_t>& unknowns() const { return place_; }  ///< place of each unknown's particle
+
+ private:
+  void number_unknowns(const Particles<dim>& particles, const CellGrid<dim>& grid);
+
+  PoissonParameters<dim> parameters_;
+  ReferenceValues reference_;
+  Matrix A_;
+  std::vector<double> b_;
+  CellsOfUnknowns cells_;
+  std::vector<std::int32_t> place_;    // of each unknown
+  std::vector<std::int32_t> unknown_;  // of each particle, or -1
+};
+
+}  // namespace cosurge::fluid

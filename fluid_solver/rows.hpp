@@ -1,0 +1,66 @@
+// Rows of varying length, filled in parallel.
+#pragma once
+
+#include <omp.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <vector>
+
+namespace cosurge::fluid {
+
+/// The row structure of neighbour lists and sparse matrices. Rows of a chunk lie one behind the other; each chunk has
+/// a stretch of its own, so that chunks are filled independently and the result does not depend on the threads.
+class Rows {
+ public:
+  static constexpr int chunk = 256;
+
+  /// Fills all rows: fill(row, place) writes the entries of `row` from `place` on and returns how many there are.
+  /// `prepare(capacity)` makes room for so many entries; at most `width` entries may be added by one row beyond its
+  /// share, and where a chunk does not hold its rows everything is filled again with more room.
+  template <typename Prepare, typename Fill>
+  void fill(int rows, int expected, Prepare&& prepare, Fill&& fill_row) {
+    begin_.resize(static_cast<std::size_t>(rows));
+    end_.resize(static_cast<std::size_t>(rows));
+    const int chunks = (rows + chunk - 1) / chunk;
+    share_ = std::max(share_, expected);
+    for (bool full = true; full; share_ = full ? 2 * share_ : share_) {
+      const std::int64_t stretch = static_cast<std::int64_t>(chunk) * share_ + slack;
+      prepare(stretch * chunks);
+      std::atomic<bool> overflow = false;
+#pragma omp parallel for schedule(dynamic, 1)
+      for (int c = 0; c < chunks; ++c) {
+        std::int64_t place = stretch * c;
+        const std::int64_t last = stretch * (c + 1) - slack;
+        for (int i = c * chunk; i < std::min(rows, (c + 1) * chunk) && place <= last; ++i) {
+          begin_[i] = place;
+          place += fill_row(i, place);
+          end_[i] = place;
+        }
+        if (place > last) overflow = true;
+      }
+      full = overflow;
+    }
+  }
+
+  /// Most entries that one row may have.
+  static constexpr int slack = 4096;
+
+  int rows() const { return static_cast<int>(begin_.size()); }
+  std::int64_t begin(int row) const { return begin_[static_cast<std::size_t>(row)]; }
+  std::int64_t end(int row) const { return end_[static_cast<std::size_t>(row)]; }
+
+  std::int64_t entries() const {
+    std::int64_t sum = 0;
+    for (int i = 0; i < rows(); ++i) sum += end(i) - begin(i);
+    return sum;
+  }
+
+ private:
+  std::vector<std::int64_t> begin_;
+  std::vector<std::int64_t> end_;
+  int share_ = 0;  // entries a row has room for on average
+};
+
+}  // namespace cosurge::fluid
