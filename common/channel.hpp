@@ -36,7 +36,7 @@ class PeerLost : public Error {
 class Channel {
  public:
   struct Options {
-    std::string peer;                                  ///< who is on the other side, for error messages
+    std::string peer = "the other side";               ///< for error messages
     double patience = 600;                             ///< longest wait for one message [s]
     std::size_t message_limit = std::size_t{1} << 30;  ///< [bytes] of one message, in and out
   };

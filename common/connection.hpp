@@ -11,9 +11,9 @@ namespace cosurge {
 /// The end of a wire that waits for one solver of one run.
 struct Connection {
   Role role = Role::fluid;
-  std::string endpoint;    ///< ipc:///path or tcp://host:port
-  std::string token;       ///< secret of the run
-  std::string server_key;  ///< CURVE public key of the coupler (Z85), for tcp only
+  std::string endpoint{};    ///< ipc:///path or tcp://host:port
+  std::string token{};       ///< secret of the run
+  std::string server_key{};  ///< CURVE public key of the coupler (Z85), for tcp only
 };
 
 /// "fluid" or "solid".

@@ -1,0 +1,131 @@
+// Participants without physics of their own, for tests of the protocol and of coupling schemes.
+#pragma once
+
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "common/error.hpp"
+#include "common/participant.hpp"
+
+namespace cosurge::testing {
+
+/// Every call can be replaced. What it remembers must lie in `state`, which save() and restore() copy.
+class MockParticipant : public Participant {
+ public:
+  explicit MockParticipant(Role role)
+      : who{role,
+            std::string("mock_") + (role == Role::fluid ? "fluid" : "solid"),
+            "0.1.0",
+            {2, 3},
+            {"save", "frame"}} {}
+
+  Identity who;
+  std::vector<double> state;
+  std::function<Setup(const v1::Case&, Interface&, Surface&)> on_initialize;
+  std::function<Report(const Window&, Surface&)> on_advance;
+  std::function<void()> on_finalize = [] {};
+
+  Identity identity() const override { return who; }
+  Setup initialize(const v1::Case& the_case, Interface& interface, Surface& surface) override {
+    return on_initialize(the_case, interface, surface);
+  }
+  Report advance(const Window& window, Surface& surface) override { return on_advance(window, surface); }
+  std::string save() override {
+    return {reinterpret_cast<const char*>(state.data()), state.size() * sizeof(double)};
+  }
+  void restore(const std::string& bytes) override {
+    require(bytes.size() == state.size() * sizeof(double), "a state of {} bytes instead of {}", bytes.size(),
+            state.size() * sizeof(double));
+    std::memcpy(state.data(), bytes.data(), bytes.size());
+  }
+  Snapshot frame() override {
+    return {{.name = "state", .unit = "-", .components = 1, .values = {state.begin(), state.end()}}};
+  }
+  void finalize() override { on_finalize(); }
+};
+
+/// A column of incompressible water on a piston of unit area, the test bed with an exact answer: the added
+/// mass is density * height, the angular frequency sqrt(stiffness / (mass + density * height)).
+struct Piston {
+  double mass = 1000;      // per area [kg/m2]
+  double stiffness = 1e5;  // per area [N/m3]
+  double density = 1000;   // of the water [kg/m3]
+  double height = 0.5;     // of the column [m]
+  double gravity = 9.81;   // [m/s2]
+  int points = 5;          // that share the area
+  int substeps = 10;       // of the solid in a window
+
+  double added_mass() const { return density * height; }
+  double wet_frequency() const {  // [Hz]
+    return std::sqrt(stiffness / (mass + added_mass())) / (2 * std::numbers::pi);
+  }
+};
+
+/// The water: pressure density * height * (gravity + a), where a is the piston's acceleration as the change
+/// of its mean velocity from window to window. State: the last mean velocity.
+inline std::unique_ptr<MockParticipant> water_column(const Piston& piston) {
+  auto fluid = std::make_unique<MockParticipant>(Role::fluid);
+  fluid->state = {0};
+  fluid->on_initialize = [piston](const v1::Case& the_case, Interface& interface, Surface& surface) {
+    const int dimension = the_case.dimension();
+    interface = {.dimension = dimension,
+                 .position = Field::Zero(dimension, piston.points),
+                 .area = Field::Zero(dimension, piston.points),
+                 .body = std::vector<int>(static_cast<std::size_t>(piston.points), 0)};
+    interface.position.row(0).setLinSpaced(0.5 / piston.points, 1 - 0.5 / piston.points);
+    interface.area.row(1).setConstant(1.0 / piston.points);
+    surface = Surface::at_rest(dimension, piston.points);
+    return Setup{.columns = {{"pressure", "Pa"}}, .particles = 1, .window = 1, .substep = 0};
+  };
+  fluid->on_advance = [piston, &last = fluid->state[0]](const Window& window, Surface& surface) {
+    const double velocity = surface.velocity.row(1).mean();
+    const double pressure = piston.added_mass() * (piston.gravity + (velocity - last) / window.size);
+    last = velocity;
+    surface.pressure.setConstant(pressure);
+    surface.force.row(1).setConstant(-pressure / piston.points);
+    return Report{.values = {pressure}, .window = 1};
+  };
+  return fluid;
+}
+
+/// The piston: sub-cycles of symplectic Euler under the load of the window. State: height and velocity.
+inline std::unique_ptr<MockParticipant> sprung_piston(const Piston& piston) {
+  auto solid = std::make_unique<MockParticipant>(Role::solid);
+  solid->state = {0, 0};
+  solid->on_initialize = [](const v1::Case& the_case, Interface& interface, Surface& surface) {
+    surface = Surface::at_rest(the_case.dimension(), interface.points());
+    return Setup{.columns = {{"height", "m"}}, .particles = 1, .window = 1, .substep = 0};
+  };
+  solid->on_advance = [piston, &y = solid->state[0], &v = solid->state[1]](const Window& window,
+                                                                           Surface& surface) {
+    const double before = y;
+    const double dt = window.size / piston.substeps;
+    for (int k = 0; k < piston.substeps; ++k) {
+      v += dt * (surface.force.row(1).sum() - piston.stiffness * y) / piston.mass;
+      y += dt * v;
+    }
+    surface.displacement.row(1).setConstant(y);
+    surface.velocity.row(1).setConstant((y - before) / window.size);
+    return Report{.values = {y}, .window = 1};
+  };
+  return solid;
+}
+
+/// As much of a case as the mocks look at, and all that the schema requires.
+inline v1::Case piston_case() {
+  v1::Case the_case;
+  the_case.set_title("piston");
+  the_case.mutable_time()->set_end(1);
+  the_case.mutable_time()->set_window(1e-3);
+  the_case.mutable_solid()->set_density(1000);
+  the_case.mutable_solid()->set_young_modulus(1e6);
+  the_case.mutable_solid()->add_body()->mutable_box();
+  return the_case;
+}
+
+}  // namespace cosurge::testing
