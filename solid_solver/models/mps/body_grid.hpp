@@ -1,0 +1,57 @@
+// The particles of one body on its lattice, and where they lie in arrays that a stencil walks by constant
+// shifts.
+#pragma once
+
+#include <vector>
+
+#include "common/lattice.hpp"
+#include "solid_solver/models/mps/stencil.hpp"
+
+namespace cosurge::mps {
+
+/// Particles fill the body's box and are free; in its clamps lie held ones, as far as free ones feel them.
+/// All lie in one padded block of the lattice: slots with no particle are void, and a neighbour's slot is the
+/// particle's own plus a constant, whatever the particle. Particles are numbered in the order of their slots.
+template <int dim>
+class BodyGrid {
+ public:
+  BodyGrid(const v1::Body& body, const Stencil<dim>& stencil);
+
+  const std::vector<Vec<dim>>& positions() const {
+    return positions_;
+  }  ///< of the particles, held ones too [m]
+  bool held(std::size_t particle) const { return held_[particle]; }
+  Eigen::Index slot(std::size_t particle) const { return slots_[particle]; }
+
+  Eigen::Index slots() const { return slot_count_; }  ///< length of arrays over slots
+  Eigen::Index first_slot() const { return first_; }  ///< slots before it and from last_slot on are void
+  Eigen::Index last_slot() const { return last_; }    ///< first_slot plus a multiple of `lanes`
+  Eigen::Index shift(const SiteIndex<dim>& offset) const;
+
+  /// The particle at a point that coincides with its site, or -1.
+  long particle_at(const Vec<dim>& x) const;
+  /// Particles whose sites lie less than `radius` from a point.
+  std::vector<std::size_t> particles_near(const Vec<dim>& x, double radius) const;
+  bool in_clamp(const Vec<dim>& x) const;
+  /// Whether x lies in the body's box, its faces included.
+  bool in_box(const Vec<dim>& x) const;
+
+  static constexpr Eigen::Index lanes = 8;
+
+ private:
+  SiteIndex<dim> index_of(const Vec<dim>& x) const;
+  void number_slots(const std::vector<SiteIndex<dim>>& sites, int reach);
+
+  double spacing_;
+  Box<dim> box_;
+  std::vector<Box<dim>> clamps_;
+  std::vector<Vec<dim>> positions_;
+  std::vector<char> held_;
+  std::vector<Eigen::Index> slots_;
+  std::vector<long> particle_of_slot_;  // -1 where void
+  SiteIndex<dim> lower_, upper_;        // corners of the block of sites
+  SiteIndex<dim> stride_;
+  Eigen::Index first_ = 0, last_ = 0, slot_count_ = 0;
+};
+
+}  // namespace cosurge::mps

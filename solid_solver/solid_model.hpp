@@ -1,0 +1,71 @@
+// What a solid model is to its participant: unknowns at nodes that follow loads.
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <string>
+#include <vector>
+
+#include "common/participant.hpp"
+
+namespace cosurge {
+
+/// H: one row a point, one column a node. Motion goes from nodes to points by u = q H^T, loads come back by
+/// f_q = f H, so that both do the same work (docs/method_solid.md, S16).
+using Interpolation = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+/// Force on the nodes [N], dimension x nodes: it goes linearly from `first` to `last` over the window.
+struct NodalLoad {
+  Field first;
+  Field last;
+};
+
+struct Energies {
+  double kinetic = 0;  ///< [J], per metre of width in two dimensions
+  double elastic = 0;  ///< [J]
+  double gravity = 0;  ///< [J] zero in the reference configuration
+};
+
+/// A discretised structure. Motion is that of the nodes relative to the reference configuration.
+class SolidModel {
+ public:
+  virtual ~SolidModel() = default;
+
+  /// Columns of displacement and load.
+  virtual Eigen::Index nodes() const = 0;
+
+  /// Particles of a frame.
+  virtual std::uint64_t particles() const = 0;
+
+  /// H for points of the reference configuration that belong to the given bodies. Rows sum to one and are
+  /// exact for affine motion, except for points in a held region, whose row may be empty.
+  /// @throws Error for a point that the body does not reach.
+  virtual Interpolation interpolation(const Field& position, const std::vector<int>& body) const = 0;
+
+  /// The sub-step that this model takes where the window allows [s]; 0 where it takes the window.
+  virtual double substep() const = 0;
+
+  /// Sub-cycles over one window; returns their number n. Sub-step k sees first + (k + 1/2) / n (last -
+  /// first), the impulse of the linear load (S14).
+  /// @throws NumericalError where the motion runs away.
+  virtual int advance(const Window& window, const NodalLoad& load) = 0;
+
+  virtual Field displacement() const = 0;  ///< [m] dimension x nodes, at the end of the last window
+
+  /// sum over sub-steps k of (k + 1/2) / n dq_k in the last window [m]: what ramped loads work on (S15).
+  virtual Field ramp_increment() const = 0;
+
+  virtual double max_speed() const = 0;  ///< [m/s] of the nodes
+  virtual Energies energies() const = 0;
+
+  /// Quantities of this model alone, reported after every window.
+  virtual std::vector<Column> columns() const { return {}; }
+  virtual std::vector<double> values() const { return {}; }
+
+  /// The complete state: restore(save()) continues bit for bit.
+  virtual std::string save() const = 0;
+  virtual void restore(const std::string& state) = 0;
+
+  virtual Snapshot frame() const = 0;
+};
+
+}  // namespace cosurge

@@ -1,0 +1,151 @@
+#include "solid_solver/solid_participant.hpp"
+
+#include <cassert>
+#include <limits>
+
+#include "common/error.hpp"
+#include "common/lattice.hpp"
+#include "common/state_bytes.hpp"
+#include "common/version.hpp"
+#include "solid_solver/models/make_model.hpp"
+
+namespace cosurge {
+namespace {
+
+constexpr double no_limit = std::numeric_limits<double>::infinity();
+constexpr double on_the_face = 1e-9;  // m: a probe on a face of its body lies in it whatever the rounding
+
+bool holds(const v1::Box& box, const v1::Probe& probe) {
+  for (int k = 0; k < box.min_size(); ++k)
+    if (probe.position(k) < box.min(k) - on_the_face || probe.position(k) > box.max(k) + on_the_face)
+      return false;
+  return true;
+}
+
+int body_of(const v1::Probe& probe, const v1::Solid& solid) {
+  for (int b = 0; b < solid.body_size(); ++b)
+    if (holds(solid.body(b).box(), probe)) return b;
+  throw Error(fmt::format("output.probe \"{}\": position ({}) lies in no body", probe.name(),
+                          fmt::join(probe.position(), ", ")));
+}
+
+}  // namespace
+
+Identity SolidParticipant::identity() const {
+  return {.role = Role::solid,
+          .program = "solid_solver",
+          .version = version,
+          .dimensions = {2},
+          .capabilities = {"save", "frame"}};
+}
+
+Setup SolidParticipant::initialize(const v1::Case& the_case, Interface& interface, Surface& surface) {
+  cpu_seconds_at_start_ = cpu_seconds();
+  model_ = make_model(the_case);
+  dimension_ = the_case.dimension();
+  ramped_ = the_case.coupling().load() == v1::Coupling::ramped;
+  if (interface.points() == 0) interface.position = Field::Zero(dimension_, 0);
+  H_ = model_->interpolation(interface.position, interface.body);
+  place_probes(the_case);
+
+  const Surface loaded = surface;
+  surface = Surface::at_rest(dimension_, interface.points());
+  if (loaded.force.cols() == interface.points() && interface.points() > 0) {
+    surface.force = loaded.force;
+    surface.pressure = loaded.pressure;
+  }
+  displacement_ = model_->displacement();
+  load_ = surface.force * H_;
+  surface.displacement = displacement_ * H_.transpose();
+  return {.columns = columns(),
+          .particles = model_->particles(),
+          .window = no_limit,
+          .substep = model_->substep()};
+}
+
+void SolidParticipant::place_probes(const v1::Case& the_case) {
+  std::vector<int> bodies;
+  std::vector<double> positions;
+  for (const v1::Probe& probe : the_case.output().probe()) {
+    if (probe.quantity() != v1::Probe::displacement) continue;
+    probes_.names.push_back(probe.name());
+    bodies.push_back(body_of(probe, the_case.solid()));
+    positions.insert(positions.end(), probe.position().begin(), probe.position().end());
+  }
+  const auto count = static_cast<Eigen::Index>(bodies.size());
+  probes_.H = model_->interpolation(Eigen::Map<const Field>(positions.data(), dimension_, count), bodies);
+}
+
+Report SolidParticipant::advance(const Window& window, Surface& surface) {
+  assert(surface.force.cols() == H_.rows());
+  clock_.enter(mapping);
+  const Field new_load = surface.force * H_;
+  const NodalLoad load{.first = ramped_ ? load_ : new_load, .last = new_load};
+  clock_.enter(substeps);
+  const int taken = model_->advance(window, load);
+  clock_.enter(mapping);
+  const Field moved = model_->displacement();
+  const Field increment = moved - displacement_;
+  // With s the ramp of S15, sum (first + s (last - first)) . dq.
+  const Field late = ramped_ ? model_->ramp_increment() : Field::Zero(dimension_, model_->nodes());
+  interface_work_ +=
+      load.first.cwiseProduct(increment).sum() + (load.last - load.first).cwiseProduct(late).sum();
+  surface.displacement = moved * H_.transpose();
+  surface.velocity = increment * H_.transpose() / window.size;
+  surface.ramp_increment = late * H_.transpose();
+  displacement_ = moved;
+  load_ = new_load;
+  clock_.leave();
+  return {.values = values(taken), .window = no_limit};
+}
+
+std::vector<Column> SolidParticipant::columns() const {
+  std::vector<Column> columns = {{"kinetic_energy", "J"},   {"elastic_energy", "J"},  {"gravity_energy", "J"},
+                                 {"interface_work", "J"},   {"substeps", "-"},        {"max_speed", "m/s"},
+                                 {"seconds_substeps", "s"}, {"seconds_mapping", "s"}, {"cpu_seconds", "s"}};
+  for (const Column& column : model_->columns()) columns.push_back(column);
+  for (const std::string& name : probes_.names)
+    for (int k = 0; k < dimension_; ++k) columns.push_back({name + "_" + "xyz"[k], "m"});
+  return columns;
+}
+
+std::vector<double> SolidParticipant::values(int substeps_taken) const {
+  const Energies energies = model_->energies();
+  std::vector<double> values = {energies.kinetic,
+                                energies.elastic,
+                                energies.gravity,
+                                interface_work_,
+                                static_cast<double>(substeps_taken),
+                                model_->max_speed(),
+                                clock_.seconds()[substeps],
+                                clock_.seconds()[mapping],
+                                cpu_seconds() - cpu_seconds_at_start_};
+  for (const double value : model_->values()) values.push_back(value);
+  const Field probed = displacement_ * probes_.H.transpose();
+  values.insert(values.end(), probed.data(), probed.data() + probed.size());
+  return values;
+}
+
+std::string SolidParticipant::save() {
+  StateWriter state;
+  state.put(displacement_);
+  state.put(load_);
+  state.put(interface_work_);
+  state.put(model_->save());
+  return state.take();
+}
+
+void SolidParticipant::restore(const std::string& state) {
+  StateReader reader(state);
+  std::string model;
+  reader.get(displacement_);
+  reader.get(load_);
+  reader.get(interface_work_);
+  reader.get(model);
+  reader.finish();
+  model_->restore(model);
+}
+
+Snapshot SolidParticipant::frame() { return model_->frame(); }
+
+}  // namespace cosurge

@@ -1,0 +1,52 @@
+// The solid as a participant of a coupled run.
+#pragma once
+
+#include <memory>
+
+#include "common/participant.hpp"
+#include "common/phase_clock.hpp"
+#include "solid_solver/solid_model.hpp"
+
+namespace cosurge {
+
+/// Takes loads to the unknowns of a model by H^T, sub-cycles, and gives the motion back by H. The load of a
+/// window is held, or ramped from the last window's (docs/method_solid.md, S14 to S16). Sets no largest
+/// window: a model sub-cycles through any.
+class SolidParticipant : public Participant {
+ public:
+  Identity identity() const override;
+
+  /// `surface.force` is taken as the load before the first window.
+  Setup initialize(const v1::Case& the_case, Interface& interface, Surface& surface) override;
+  Report advance(const Window& window, Surface& surface) override;
+  std::string save() override;
+  void restore(const std::string& state) override;
+  Snapshot frame() override;
+
+ private:
+  /// A history of the displacement at a material point.
+  struct Probes {
+    std::vector<std::string> names;
+    Interpolation H;
+  };
+  enum Phase : std::size_t { mapping, substeps, phases };
+
+  void place_probes(const v1::Case& the_case);
+  std::vector<Column> columns() const;
+  std::vector<double> values(int substeps_taken) const;
+
+  std::unique_ptr<SolidModel> model_;
+  int dimension_ = 0;
+  bool ramped_ = false;
+  Interpolation H_;
+  Probes probes_;
+
+  Field displacement_;         // of the nodes at the end of the last window
+  Field load_;                 // on the nodes in the last window
+  double interface_work_ = 0;  // of the loads on the nodes, since the start [J]
+
+  PhaseClock<phases> clock_;
+  double cpu_seconds_at_start_ = 0;
+};
+
+}  // namespace cosurge
