@@ -65,8 +65,8 @@ double frequency() {
 
 TEST(Cantilever, SwingsAtTheFrequencyOfATimoshenkoBeam) {
   RecordProperty("frequency", std::to_string(frequency()));
-  // 12 particles of thickness with the bulk's reference density: 5 % soft, within 5.5 with the fit.
-  EXPECT_NEAR(frequency() / 5.970, 1, 0.055);
+  // 12 particles of thickness with the bulk's reference density are soft.
+  EXPECT_NEAR(frequency() / 5.970, 1, 0.05);
   // The same formulation in an independent program at this spacing gave 5.674 Hz with three held rows.
   EXPECT_NEAR(frequency() / 5.674, 1, 0.005);
 }
@@ -78,6 +78,7 @@ TEST(Cantilever, SwingsAboutItsStaticDeflection) {
   // The swing is 2 x 0.995 of the first mode; higher modes and shear add 3 %. A plate that is softer deflects
   // as it swings slower.
   const double softness = std::pow(6.058 / frequency(), 2);
+  RecordProperty("mean_over_beam", std::to_string((*low + *high) / 2 / (beam * softness)));
   EXPECT_NEAR((*low + *high) / 2 / (beam * softness), 1, 0.03);
   EXPECT_LT(std::abs(*low), 0.02 * *high);  // comes back to where it started
 }
@@ -89,6 +90,7 @@ TEST(Cantilever, LosesAndGainsNoEnergy) {
   const double seconds = static_cast<double>(total.size()) * cantilever().window;
   const auto [low, high] = std::minmax_element(total.begin(), total.end());
   // Symplectic and undamped: what remains is a ripple, no trend; more than 1e-3 in a second is a defect.
+  RecordProperty("energy_change_over_exchanged", fmt::format("{:.2e}", (*high - *low) / exchanged));
   EXPECT_LT((*high - *low) / exchanged, 1e-3 * seconds);
 }
 
