@@ -1,4 +1,5 @@
 // The solid alone against beam theory: cases/cantilever.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -60,6 +60,7 @@ typename MpsModel<dim>::Row MpsModel<dim>::interpolation_row(const BodyGrid<dim>
   const double radius = interpolation_radius * spacing_;
   const std::vector<std::size_t> near = grid.particles_near(x, radius);
   std::vector<Vec<dim>> positions;
+  positions.reserve(near.size());
   for (const std::size_t p : near) positions.push_back(grid.positions()[p]);
   const Eigen::VectorXd coefficients = moving_least_squares<dim>(x, positions, radius);
   require(coefficients.size() > 0, "solid: no body near the point ({}), which is to follow it",

@@ -33,6 +33,7 @@ int RigidModel<dim>::advance(const Window&, const NodalLoad& load) {
 template <int dim>
 std::vector<Column> RigidModel<dim>::columns() const {
   std::vector<Column> columns;
+  columns.reserve(dim);
   for (int k = 0; k < dim; ++k) columns.push_back({std::string("load_") + "xyz"[k], "N"});
   return columns;
 }
