@@ -67,7 +67,8 @@ void Channel::send_bytes(std::string_view bytes) { put(zmq::message_t(bytes.data
 
 void Channel::put(zmq::message_t&& bytes) {
   const std::size_t size = bytes.size();
-  if (!line_->put(std::move(bytes)))
+  // ZeroMQ may keep a message for a lost peer, and closing would wait for its delivery.
+  if (lost_ || !line_->put(std::move(bytes)))
     throw PeerLost(fmt::format("{}: nobody there to take a message", peer()));
   ++traffic_.messages;
   traffic_.bytes_sent += size;
@@ -98,6 +99,7 @@ zmq::message_t Channel::wait_for_message(const std::string& awaited) {
     if (arrived) return bytes;
     const auto cause = cause_of_end(bytes);
     if (bytes.size() > 0) return bytes;
+    lost_ = cause.has_value();
     if (cause)
       throw PeerLost(fmt::format("{}: {} ({} was awaited for {:.1f} s)", peer(), *cause, awaited, waited));
   }

@@ -36,9 +36,10 @@ class PeerLost : public Error {
 class Channel {
  public:
   struct Options {
-    std::string peer = "the other side";               ///< for error messages
-    double patience = 600;                             ///< longest wait for one message [s]
-    std::size_t message_limit = std::size_t{1} << 30;  ///< [bytes] of one message, in and out
+    std::string peer = "the other side";  ///< for error messages
+    double patience = 600;                ///< longest wait for one message [s]
+    std::size_t message_limit = std::size_t{1}
+                                << 28;  ///< [bytes] of one message; it must pass in Line::silence
   };
 
   /// What has passed so far.
@@ -97,6 +98,7 @@ class Channel {
   Options options_;
   PeerEnded peer_ended_;
   Traffic traffic_;
+  bool lost_ = false;
 };
 
 }  // namespace cosurge
