@@ -38,8 +38,8 @@ class Channel {
   struct Options {
     std::string peer = "the other side";  ///< for error messages
     double patience = 600;                ///< longest wait for one message [s]
-    std::size_t message_limit = std::size_t{1}
-                                << 28;  ///< [bytes] of one message; it must pass in Line::silence
+    /// [bytes]; what is larger would not pass between two signs of life (line.hpp)
+    std::size_t message_limit = std::size_t{1} << 28;
   };
 
   /// What has passed so far.
