@@ -1,9 +1,10 @@
 #include "common/case_file.hpp"
 
+#include <toml++/toml.h>
+
 #include <cmath>
 #include <filesystem>
 #include <optional>
-#include <toml++/toml.h>
 
 #include "common/case_rules.hpp"
 #include "common/error.hpp"
@@ -130,7 +131,8 @@ class Walk {
     }
   }
 
-  std::optional<double> number(const toml::node& node, const std::string& path, const FieldDescriptor& field) {
+  std::optional<double> number(const toml::node& node, const std::string& path,
+                               const FieldDescriptor& field) {
     if (!node.is_number()) {
       errors_.add(path, "must be a number");
       return std::nullopt;
@@ -164,7 +166,8 @@ toml::table parse_value(const std::string& source, const std::string& value) {
   }
 }
 
-/// Walks down `keys` from `node`, making tables where there are none; null where the way leads through a value.
+/// Walks down `keys` from `node`, making tables where there are none; null where the way leads through a
+/// value.
 toml::node* descend(toml::node* node, const std::string& key) {
   if (toml::table* inner = node->as_table()) {
     if (!inner->contains(key)) inner->insert(key, toml::table{});

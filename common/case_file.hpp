@@ -8,8 +8,9 @@
 
 namespace cosurge {
 
-/// Reads a case: `path` is a folder with a case.toml, or the file. `overrides` are "key.path=value" with a TOML value
-/// (a bare word is a string), applied before the checks; list entries are addressed by number ("output.probe.0.name").
+/// Reads a case: `path` is a folder with a case.toml, or the file. `overrides` are "key.path=value" with a
+/// TOML value (a bare word is a string), applied before the checks; list entries are addressed by number
+/// ("output.probe.0.name").
 /// @throws Error with all errors at once, one line each: "file:line: key: what is wrong, what is allowed".
 v1::Case load_case(const std::string& path, const std::vector<std::string>& overrides = {});
 

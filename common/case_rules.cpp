@@ -11,7 +11,8 @@
 namespace cosurge {
 namespace {
 
-constexpr double whole = 1e-6;  // of a spacing: what decimal numbers such as 0.146 / 0.002 may be off a whole number
+constexpr double whole =
+    1e-6;  // of a spacing: what decimal numbers such as 0.146 / 0.002 may be off a whole number
 
 bool divides(double spacing, double length) {
   const double quotient = length / spacing;
@@ -50,21 +51,23 @@ bool inside(const v1::Box& inner, const v1::Box& outer, double margin) {
   return true;
 }
 
-/// The nearest spacing below (step = +1) or above (-1) the given one that divides every length, searched as fractions
-/// of the shortest length.
+/// The nearest spacing below (step = +1) or above (-1) the given one that divides every length, searched as
+/// fractions of the shortest length.
 std::optional<double> nearest_spacing(double spacing, const std::vector<double>& lengths, int step) {
   const double shortest = *std::min_element(lengths.begin(), lengths.end());
   const auto fits = [&](double s) {
     return std::all_of(lengths.begin(), lengths.end(), [&](double length) { return divides(s, length); });
   };
-  const int parts = static_cast<int>(step > 0 ? std::ceil(shortest / spacing) : std::floor(shortest / spacing));
+  const int parts =
+      static_cast<int>(step > 0 ? std::ceil(shortest / spacing) : std::floor(shortest / spacing));
   constexpr int search = 2000;
   for (int n = parts; n > 0 && n < parts + search; n += step)
     if (fits(shortest / n)) return shortest / n;
   return std::nullopt;
 }
 
-void check_spacing(const std::string& key, double spacing, const std::vector<NamedBox>& boxes, CaseErrors& errors) {
+void check_spacing(const std::string& key, double spacing, const std::vector<NamedBox>& boxes,
+                   CaseErrors& errors) {
   std::vector<double> lengths;
   std::vector<std::string> wrong;
   for (const NamedBox& named : boxes) {
@@ -79,8 +82,8 @@ void check_spacing(const std::string& key, double spacing, const std::vector<Nam
   if (wrong.empty()) return;
   const auto below = nearest_spacing(spacing, lengths, 1);
   const auto above = nearest_spacing(spacing, lengths, -1);
-  errors.add(key, fmt::format("{} does not divide {}; nearest that divide every box: {} below, {} above", spacing,
-                              fmt::join(wrong, ", "), below ? fmt::format("{:.6g}", *below) : "none",
+  errors.add(key, fmt::format("{} does not divide {}; nearest that divide every box: {} below, {} above",
+                              spacing, fmt::join(wrong, ", "), below ? fmt::format("{:.6g}", *below) : "none",
                               above ? fmt::format("{:.6g}", *above) : "none"));
 }
 
@@ -123,13 +126,14 @@ void check_scene(const v1::Case& c, CaseErrors& errors) {
 
 void check_fluid(const v1::Fluid& fluid, CaseErrors& errors) {
   if (fluid.re_laplacian() > 2 * fluid.re_gradient())
-    errors.add("fluid.re_laplacian",
-               fmt::format("{} must be <= 2 fluid.re_gradient = {}", fluid.re_laplacian(), 2 * fluid.re_gradient()));
+    errors.add("fluid.re_laplacian", fmt::format("{} must be <= 2 fluid.re_gradient = {}",
+                                                 fluid.re_laplacian(), 2 * fluid.re_gradient()));
 }
 
 void check_solid(const v1::Case& c, CaseErrors& errors) {
   const v1::Solid& solid = c.solid();
-  if (!solid.has_spacing() && !c.has_fluid()) return errors.add("solid.spacing", "missing (there is no fluid to take it from)");
+  if (!solid.has_spacing() && !c.has_fluid())
+    return errors.add("solid.spacing", "missing (there is no fluid to take it from)");
   const double spacing = solid.has_spacing() ? solid.spacing() : c.fluid().spacing();
   const double fluid_spacing = c.has_fluid() ? c.fluid().spacing() : spacing;
   constexpr double fewest = 3;  // layers, so that water on one side does not see water on the other
@@ -138,8 +142,9 @@ void check_solid(const v1::Case& c, CaseErrors& errors) {
     for (int k = 0; k < body.box().min_size(); ++k) {
       const double side = body.box().max(k) - body.box().min(k);
       if (side < (fewest - whole) * fluid_spacing)
-        errors.add(fmt::format("solid.body.{}.box", i),
-                   fmt::format("is {:.3g} spacings thick, must be at least {}", side / fluid_spacing, fewest));
+        errors.add(
+            fmt::format("solid.body.{}.box", i),
+            fmt::format("is {:.3g} spacings thick, must be at least {}", side / fluid_spacing, fewest));
     }
     for (int j = 0; j < body.clamp_size(); ++j) {
       const std::string key = fmt::format("solid.body.{}.clamp.{}", i, j);
@@ -154,12 +159,15 @@ void check_probes(const v1::Case& c, CaseErrors& errors) {
   for (int i = 0; i < c.output().probe_size(); ++i) {
     const v1::Probe& probe = c.output().probe(i);
     const std::string key = fmt::format("output.probe.{}", i);
-    const bool plain = !probe.name().empty() && std::all_of(probe.name().begin(), probe.name().end(), [](char a) {
-      return std::isalnum(static_cast<unsigned char>(a)) != 0 || a == '_';
-    });
+    const bool plain =
+        !probe.name().empty() && std::all_of(probe.name().begin(), probe.name().end(), [](char a) {
+          return std::isalnum(static_cast<unsigned char>(a)) != 0 || a == '_';
+        });
     if (!plain) errors.add(key + ".name", "must be made of letters, digits and _");
-    if (!names.insert(probe.name()).second) errors.add(key + ".name", fmt::format("\"{}\" is taken", probe.name()));
-    if (probe.quantity() == v1::Probe::pressure && !c.has_fluid()) errors.add(key + ".quantity", "needs a fluid");
+    if (!names.insert(probe.name()).second)
+      errors.add(key + ".name", fmt::format("\"{}\" is taken", probe.name()));
+    if (probe.quantity() == v1::Probe::pressure && !c.has_fluid())
+      errors.add(key + ".quantity", "needs a fluid");
     v1::Box point;
     *point.mutable_min() = probe.position();
     *point.mutable_max() = probe.position();
@@ -172,7 +180,8 @@ void check_probes(const v1::Case& c, CaseErrors& errors) {
 
 void check_times(const v1::Case& c, CaseErrors& errors) {
   const double window = c.time().window();
-  if (window > c.time().end()) errors.add("time.window", fmt::format("{} must be <= time.end = {}", window, c.time().end()));
+  if (window > c.time().end())
+    errors.add("time.window", fmt::format("{} must be <= time.end = {}", window, c.time().end()));
   if (c.output().frame_interval() < window)
     errors.add("output.frame_interval",
                fmt::format("{} must be >= time.window = {}", c.output().frame_interval(), window));

@@ -22,7 +22,8 @@ struct CaseErrors {
   void raise() const;
 };
 
-/// Boxes divided by their spacing, inside the tank, apart from each other; probes on their bodies; times that fit.
+/// Boxes divided by their spacing, inside the tank, apart from each other; probes on their bodies; times that
+/// fit.
 void check_rules(const v1::Case& the_case, CaseErrors& errors);
 
 }  // namespace cosurge

@@ -15,16 +15,17 @@ namespace cosurge {
 
 /// What can be copied byte by byte: numbers, enums, and Eigen's fixed-size vectors.
 template <typename T>
-concept Plain = std::is_trivially_copyable_v<T> || requires { requires T::SizeAtCompileTime > 0; };
+concept Plain = std::is_trivially_copyable_v<T> || requires {
+  requires T::SizeAtCompileTime >
+  0;
+};
 
 /// Appends numbers and arrays of numbers to a state.
 class StateWriter {
  public:
   template <typename T>
-    requires std::is_arithmetic_v<T>
-  void put(const T& value) {
-    append(&value, sizeof value);
-  }
+  requires std::is_arithmetic_v<T>
+  void put(const T& value) { append(&value, sizeof value); }
 
   template <typename Derived>
   void put(const Eigen::PlainObjectBase<Derived>& values) {
@@ -50,17 +51,16 @@ class StateWriter {
   std::string bytes_;
 };
 
-/// Reads back what a StateWriter wrote, in the same order; Eigen's arrays must have the size that was written.
+/// Reads back what a StateWriter wrote, in the same order; Eigen's arrays must have the size that was
+/// written.
 /// @throws Error where the state is shorter or longer: it comes from another case or another build.
 class StateReader {
  public:
   explicit StateReader(std::string_view bytes) : rest_(bytes) {}
 
   template <typename T>
-    requires std::is_arithmetic_v<T>
-  void get(T& value) {
-    copy(&value, sizeof value);
-  }
+  requires std::is_arithmetic_v<T>
+  void get(T& value) { copy(&value, sizeof value); }
 
   template <typename Derived>
   void get(Eigen::PlainObjectBase<Derived>& values) {
@@ -86,7 +86,8 @@ class StateReader {
   std::size_t length(std::size_t size_of_entry) {
     std::uint64_t entries = 0;
     get(entries);
-    require(entries <= rest_.size() / size_of_entry, "saved state: too short; it is of another case or build");
+    require(entries <= rest_.size() / size_of_entry,
+            "saved state: too short; it is of another case or build");
     return entries;
   }
 

@@ -1,7 +1,6 @@
 #include "fluid_solver/fluid_participant.hpp"
 
-#include <cassert>
-
+#include "common/solvers.hpp"
 #include "common/version.hpp"
 #include "fluid_solver/gauges.hpp"
 #include "fluid_solver/mps.hpp"
@@ -140,3 +139,7 @@ void FluidParticipant::restore(const std::string& state) { scene_->restore(state
 Snapshot FluidParticipant::frame() { return scene_->frame(); }
 
 }  // namespace cosurge::fluid
+
+std::unique_ptr<cosurge::Participant> cosurge::make_fluid_solver() {
+  return std::make_unique<fluid::FluidParticipant>();
+}

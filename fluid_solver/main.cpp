@@ -1,6 +1,4 @@
 #include "common/serve.hpp"
-#include "fluid_solver/fluid_participant.hpp"
+#include "common/solvers.hpp"
 
-int main(int argc, char** argv) {
-  return cosurge::serve_main(argc, argv, [] { return std::make_unique<cosurge::fluid::FluidParticipant>(); });
-}
+int main(int argc, char** argv) { return cosurge::serve_main(argc, argv, cosurge::make_fluid_solver); }

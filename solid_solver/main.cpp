@@ -1,6 +1,4 @@
 #include "common/serve.hpp"
-#include "solid_solver/solid_participant.hpp"
+#include "common/solvers.hpp"
 
-int main(int argc, char** argv) {
-  return cosurge::serve_main(argc, argv, [] { return std::make_unique<cosurge::SolidParticipant>(); });
-}
+int main(int argc, char** argv) { return cosurge::serve_main(argc, argv, cosurge::make_solid_solver); }

@@ -5,6 +5,7 @@
 
 #include "common/error.hpp"
 #include "common/lattice.hpp"
+#include "common/solvers.hpp"
 #include "common/state_bytes.hpp"
 #include "common/version.hpp"
 #include "solid_solver/models/make_model.hpp"
@@ -147,5 +148,7 @@ void SolidParticipant::restore(const std::string& state) {
 }
 
 Snapshot SolidParticipant::frame() { return model_->frame(); }
+
+std::unique_ptr<Participant> make_solid_solver() { return std::make_unique<SolidParticipant>(); }
 
 }  // namespace cosurge

@@ -1,0 +1,13 @@
+// The solvers as participants, for whoever links them: each is defined in its own folder.
+#pragma once
+
+#include <memory>
+
+#include "common/participant.hpp"
+
+namespace cosurge {
+
+std::unique_ptr<Participant> make_fluid_solver();  // fluid_solver/fluid_participant.cpp
+std::unique_ptr<Participant> make_solid_solver();  // solid_solver/solid_participant.cpp
+
+}  // namespace cosurge

@@ -1,0 +1,81 @@
+#include "coupler/check_command.hpp"
+
+#include <sys/resource.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "common/case_file.hpp"
+#include "common/error.hpp"
+#include "common/solvers.hpp"
+#include "coupler/coupler.hpp"
+
+namespace cosurge {
+namespace {
+
+/// Lets a few windows pass and takes their time.
+class Stopwatch : public Observer {
+ public:
+  static constexpr int warm_up = 3;
+  static constexpr int windows = 10;
+
+  void window(const Window&, const Reports&, const std::vector<double>&) override {
+    if (++seen_ == warm_up) since_ = std::chrono::steady_clock::now();
+    if (seen_ == warm_up + windows)
+      seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - since_).count() / windows;
+  }
+  void frame(double, const std::vector<Snapshot>&) override {}
+  bool done() const { return seen_ >= warm_up + windows; }
+  double seconds_per_window() const { return seconds_; }
+
+ private:
+  int seen_ = 0;
+  double seconds_ = 0;
+  std::chrono::steady_clock::time_point since_;
+};
+
+/// Windows that the run will take: the largest allowed, or what water that has fallen from its highest point
+/// allows.
+double expected_windows(const v1::Case& c) {
+  double window = c.time().window();
+  if (c.has_fluid() && c.time().stepping() == v1::Time::adaptive) {
+    double head = 0;
+    const int up = c.dimension() - 1;
+    for (const v1::Box& water : c.fluid().water())
+      head = std::max(head, water.max(up) - c.fluid().tank().min(up));
+    const double gravity = std::abs(c.gravity(up));
+    const double speed = 2 * std::sqrt(gravity * head);  // Ritter's bound of a front on a dry bed
+    if (speed > 0) window = std::min(window, c.fluid().courant() * c.fluid().spacing() / speed);
+  }
+  return std::ceil(c.time().end() / window);
+}
+
+}  // namespace
+
+void check_command(const std::string& case_path, const std::vector<std::string>& overrides) {
+  const v1::Case the_case = load_case(case_path, overrides);
+  const auto fluid = the_case.has_fluid() ? make_fluid_solver() : nullptr;
+  const auto solid = the_case.has_solid() ? make_solid_solver() : nullptr;
+  Coupler coupler(the_case, {.fluid = fluid.get(), .solid = solid.get()});
+  Stopwatch stopwatch;
+  coupler.run({&stopwatch}, [&] { return stopwatch.done(); });
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const double windows = expected_windows(the_case);
+  fmt::print("{}: the case is valid\n", the_case.title());
+  for (const Member& member : coupler.members()) {
+    fmt::print("  {:<12} {} particles", member.name, member.setup.particles);
+    if (member.setup.substep > 0)
+      fmt::print(", sub-steps of {:.3g} s ({:.0f} a window)", member.setup.substep,
+                 std::ceil(the_case.time().window() / member.setup.substep));
+    fmt::print("\n");
+  }
+  fmt::print("  {:<12} {}\n", "interface", fmt::format("{} points", coupler.interface().points()));
+  fmt::print("  {:<12} about {:.0f} of at most {:g} s, to t = {:g} s\n", "windows", windows,
+             the_case.time().window(), the_case.time().end());
+  fmt::print("  {:<12} {:.0f} MB\n", "memory", static_cast<double>(usage.ru_maxrss) / 1024);
+  fmt::print("  {:<12} {:.3g} ms a window now, about {:.0f} s in all\n", "time",
+             1e3 * stopwatch.seconds_per_window(), windows * stopwatch.seconds_per_window());
+}
+
+}  // namespace cosurge

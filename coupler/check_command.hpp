@@ -1,0 +1,13 @@
+// cosurge check: what a case would run.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace cosurge {
+
+/// Validates a case, lays it out, computes its first windows and prints particles, windows, memory and the
+/// time to expect on this machine. @throws Error for a case that cannot run.
+void check_command(const std::string& case_path, const std::vector<std::string>& overrides);
+
+}  // namespace cosurge

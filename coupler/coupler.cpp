@@ -1,0 +1,50 @@
+#include "coupler/coupler.hpp"
+
+#include <algorithm>
+
+namespace cosurge {
+
+Coupler::Coupler(const v1::Case& the_case, Participants participants)
+    : case_(the_case),
+      participants_(participants),
+      schedule_(the_case),
+      scheme_(make_scheme(the_case.coupling(), participants)),
+      account_(the_case.coupling().load() == v1::Coupling::ramped) {
+  interface_.dimension = the_case.dimension();
+  interface_.position = interface_.area = Field::Zero(the_case.dimension(), 0);
+  surface_ = Surface::at_rest(the_case.dimension(), 0);
+  largest_ = the_case.time().window();
+  for (const auto& [name, participant] :
+       {std::pair{"fluid", participants.fluid}, {"solid", participants.solid}}) {
+    if (participant == nullptr) continue;
+    const Setup setup = participant->initialize(case_, interface_, surface_);
+    members_.push_back({.name = name, .identity = participant->identity(), .setup = setup});
+    largest_ = std::min(largest_, setup.window);
+  }
+}
+
+bool Coupler::run(const std::vector<Observer*>& observers, const std::function<bool()>& stop) {
+  show_frame(observers);
+  while (!schedule_.finished()) {
+    if (stop()) return false;
+    const Window window = schedule_.next(largest_);
+    const Reports reports = scheme_->advance(window, surface_, account_);
+    largest_ = case_.time().window();
+    for (const Report& report : reports) largest_ = std::min(largest_, report.window);
+    schedule_.complete(window);
+    for (Observer* observer : observers) observer->window(window, reports, account_.values());
+    if (schedule_.at_frame()) show_frame(observers);
+  }
+  for (Participant* participant : {participants_.fluid, participants_.solid})
+    if (participant != nullptr) participant->finalize();
+  return true;
+}
+
+void Coupler::show_frame(const std::vector<Observer*>& observers) {
+  std::vector<Snapshot> snapshots;
+  for (Participant* participant : {participants_.fluid, participants_.solid})
+    if (participant != nullptr) snapshots.push_back(participant->frame());
+  for (Observer* observer : observers) observer->frame(schedule_.time(), snapshots);
+}
+
+}  // namespace cosurge

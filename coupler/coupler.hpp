@@ -1,0 +1,60 @@
+// The loop over the windows of a run.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "coupler/scheme.hpp"
+#include "coupler/window_schedule.hpp"
+
+namespace cosurge {
+
+/// A participant as progress, results and summary know it.
+struct Member {
+  std::string name;  ///< "fluid" or "solid"
+  Identity identity;
+  Setup setup;
+};
+
+/// Whoever looks on while a run goes: progress line and results.
+class Observer {
+ public:
+  virtual ~Observer() = default;
+  /// After every window: reports in the order of the members, then the coupler's own values (eq. of
+  /// InterfaceAccount).
+  virtual void window(const Window& window, const Reports& reports, const std::vector<double>& coupling) = 0;
+  /// At every landing, and at the start.
+  virtual void frame(double time, const std::vector<Snapshot>& snapshots) = 0;
+};
+
+/// Runs a case with participants that may be anything.
+class Coupler {
+ public:
+  /// Initializes the participants, the fluid first: its points are the interface.
+  Coupler(const v1::Case& the_case, Participants participants);
+
+  /// All windows until the end, or until `stop` says true. Returns whether the end was reached.
+  /// @throws what the participants throw; observers have seen all windows before.
+  bool run(const std::vector<Observer*>& observers, const std::function<bool()>& stop);
+
+  const std::vector<Member>& members() const { return members_; }
+  const Interface& interface() const { return interface_; }
+  std::vector<Column> columns() const { return InterfaceAccount::columns(case_.dimension()); }
+  double time() const { return schedule_.time(); }
+  std::uint64_t windows() const { return schedule_.windows(); }
+
+ private:
+  void show_frame(const std::vector<Observer*>& observers);
+
+  v1::Case case_;
+  Participants participants_;
+  std::vector<Member> members_;
+  Interface interface_;
+  Surface surface_;
+  WindowSchedule schedule_;
+  std::unique_ptr<Scheme> scheme_;
+  InterfaceAccount account_;
+  double largest_ = 0;  // next window that all participants can do [s]
+};
+
+}  // namespace cosurge

@@ -1,0 +1,33 @@
+#include "coupler/interface_account.hpp"
+
+namespace cosurge {
+
+void InterfaceAccount::open(const Surface& surface) {
+  displacement_ = surface.displacement;
+  if (load_.size() == 0) load_ = Field::Zero(surface.force.rows(), surface.force.cols());
+}
+
+void InterfaceAccount::close(const Surface& surface) {
+  const Field moved = surface.displacement - displacement_;
+  const Field& late = surface.ramp_increment;
+  if (ramped_)
+    work_ += load_.cwiseProduct(moved - late).sum() + surface.force.cwiseProduct(late).sum();
+  else
+    work_ += surface.force.cwiseProduct(moved).sum();
+  load_ = surface.force;
+}
+
+std::vector<Column> InterfaceAccount::columns(int dimension) {
+  std::vector<Column> columns = {{"work_points", "J"}};
+  for (int k = 0; k < dimension; ++k) columns.push_back({std::string("force_") + "xyz"[k], "N"});
+  return columns;
+}
+
+std::vector<double> InterfaceAccount::values() const {
+  std::vector<double> values = {work_};
+  const Eigen::VectorXd total = force();
+  values.insert(values.end(), total.data(), total.data() + total.size());
+  return values;
+}
+
+}  // namespace cosurge

@@ -1,0 +1,35 @@
+// What passes through the interface.
+#pragma once
+
+#include "common/participant.hpp"
+
+namespace cosurge {
+
+/// Work and force at the interface points, from what was exchanged and nothing else. The solid keeps the same
+/// account in its own unknowns; the two agree to rounding because loads go back by the transpose of what
+/// motions come by.
+class InterfaceAccount {
+ public:
+  explicit InterfaceAccount(bool ramped) : ramped_(ramped) {}
+
+  /// Before the solid gets the new load of a window.
+  void open(const Surface& surface);
+
+  /// After the solid has moved. The load goes from f0 to f over the window on a ramp s: the work is
+  /// f0 . (du - m) + f . m with m the integral of s du; a held load is f all the while.
+  void close(const Surface& surface);
+
+  double work() const { return work_; }                            ///< done on the solid so far [J]
+  Eigen::VectorXd force() const { return load_.rowwise().sum(); }  ///< on the solid in the last window [N]
+
+  static std::vector<Column> columns(int dimension);
+  std::vector<double> values() const;
+
+ private:
+  bool ramped_;
+  double work_ = 0;
+  Field load_;          // of the last window
+  Field displacement_;  // at its start
+};
+
+}  // namespace cosurge

@@ -1,0 +1,69 @@
+#include "coupler/progress.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace cosurge {
+namespace {
+
+using Seconds = std::chrono::duration<double>;
+
+constexpr double terminal_interval = 0.2;  // s between two states of the line
+constexpr double plain_interval = 5;       // s between two lines
+
+std::string clock_text(double seconds) {
+  const auto whole = static_cast<long>(seconds + 0.5);
+  return whole < 3600 ? fmt::format("{}:{:02}", whole / 60, whole % 60)
+                      : fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+}
+
+}  // namespace
+
+Progress::Progress(const v1::Case& the_case, const std::vector<Member>& members, std::FILE* out)
+    : end_(the_case.time().end()), out_(out), terminal_(isatty(fileno(out)) != 0) {
+  find(members, "fluid", "ppe_iterations", "ppe");
+  find(members, "fluid", "max_speed", "speed");
+  find(members, "solid", "substeps", "substeps");
+  for (const v1::Probe& probe : the_case.output().probe())
+    if (probe.quantity() == v1::Probe::displacement)
+      find(members, "solid", probe.name() + "_x", probe.name());
+}
+
+Progress::~Progress() {
+  if (terminal_) std::fputc('\n', out_);
+}
+
+void Progress::find(const std::vector<Member>& members, const std::string& member, const std::string& column,
+                    const std::string& label) {
+  for (std::size_t m = 0; m < members.size(); ++m) {
+    const auto& columns = members[m].setup.columns;
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      if (members[m].name == member && columns[c].name == column)
+        quantities_.push_back({.label = label, .unit = columns[c].unit, .member = m, .column = c});
+  }
+}
+
+void Progress::window(const Window& window, const Reports& reports, const std::vector<double>& coupling) {
+  const auto now = Clock::now();
+  const double took = Seconds(now - window_start_).count();
+  window_start_ = now;
+  const double time = window.start + window.size;
+  const bool last = time >= end_;
+  if (Seconds(now - shown_).count() < (terminal_ ? terminal_interval : plain_interval) && !last) return;
+  shown_ = now;
+  const double elapsed = Seconds(now - start_).count();
+  std::string line =
+      fmt::format("t {:.4f}/{:g} s  window {}  dt {:.2e} s", time, end_, window.index + 1, window.size);
+  for (const Quantity& q : quantities_) {
+    const double value = reports[q.member].values[q.column];
+    line += q.unit == "-"   ? fmt::format("  {} {:.0f}", q.label, value)
+            : q.unit == "m" ? fmt::format("  {} {:.2f} mm", q.label, 1e3 * value)
+                            : fmt::format("  {} {:.2f} {}", q.label, value, q.unit);
+  }
+  if (!coupling.empty() && reports.size() > 1) line += fmt::format("  work {:.3g} J", coupling.front());
+  line += fmt::format("  {:.1f} ms/window  {} left", 1e3 * took, clock_text(elapsed * (end_ - time) / time));
+  std::fputs((terminal_ ? "\r\x1b[K" + line : line + "\n").c_str(), out_);
+  std::fflush(out_);
+}
+
+}  // namespace cosurge

@@ -1,0 +1,44 @@
+// What a run shows while it goes.
+#pragma once
+
+#include <chrono>
+#include <cstdio>
+
+#include "coupler/coupler.hpp"
+
+namespace cosurge {
+
+/// One line that is written over on a terminal; a new line every few seconds elsewhere.
+class Progress : public Observer {
+ public:
+  /// `members` as the coupler has them; writes to `out`.
+  Progress(const v1::Case& the_case, const std::vector<Member>& members, std::FILE* out);
+  ~Progress() override;
+
+  void window(const Window& window, const Reports& reports, const std::vector<double>& coupling) override;
+  void frame(double, const std::vector<Snapshot>&) override {}
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  /// Where a quantity stands among the reports.
+  struct Quantity {
+    std::string label;
+    std::string unit;
+    std::size_t member;
+    std::size_t column;
+  };
+
+  void find(const std::vector<Member>& members, const std::string& member, const std::string& column,
+            const std::string& label);
+
+  double end_;
+  std::vector<Quantity> quantities_;
+  std::FILE* out_;
+  bool terminal_;
+  Clock::time_point start_ = Clock::now();
+  Clock::time_point shown_ = start_;
+  Clock::time_point window_start_ = start_;
+};
+
+}  // namespace cosurge

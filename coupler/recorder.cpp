@@ -1,0 +1,123 @@
+#include "coupler/recorder.hpp"
+
+#include <fmt/chrono.h>
+#include <google/protobuf/util/json_util.h>
+
+#include <algorithm>
+#include <cassert>
+#include <ctime>
+
+#include "common/error.hpp"
+#include "common/version.hpp"
+#include "coupler/replace_file.hpp"
+
+namespace cosurge {
+namespace {
+
+std::string as_json(const v1::Case& the_case) {
+  google::protobuf::util::JsonPrintOptions options;
+  options.add_whitespace = true;
+  options.preserve_proto_field_names = true;
+  std::string json;
+  const auto status = google::protobuf::util::MessageToJsonString(the_case, &json, options);
+  require(status.ok(), "the case cannot be written as JSON: {}", status.ToString());
+  return json;
+}
+
+std::string without_prefix(const std::string& name, const std::string& owner) {
+  return name.starts_with(owner + "_") ? name.substr(owner.size() + 1) : name;
+}
+
+}  // namespace
+
+Recorder::Recorder(const std::filesystem::path& folder, const v1::Case& the_case,
+                   const std::vector<Member>& members, const Interface& interface,
+                   const std::vector<Column>& coupling_columns)
+    : folder_(folder), case_(the_case), members_(members), file_(folder / results_name) {
+  describe();
+  histories_.emplace_back("time", "s");
+  histories_.emplace_back("window", "s");
+  for (const Member& member : members_) {
+    for (const Column& column : member.setup.columns)
+      histories_.emplace_back(member.name + "/" + column.name, column.unit);
+    clouds_.push_back({.name = member.name, .arrays = {}});
+  }
+  for (const Column& column : coupling_columns)
+    histories_.emplace_back("coupling/" + column.name, column.unit);
+  for (const History& history : histories_) file_.add_series("/history/" + history.name(), history.unit());
+  file_.add_series("/frames/time", "s");
+  file_.put("/interface/position", "m", interface.position);
+  file_.put("/interface/area", case_.dimension() == 2 ? "m" : "m2", interface.area);
+  file_.put("/interface/body", interface.body);
+  file_.flush();
+}
+
+void Recorder::describe() {
+  file_.describe("format", format);
+  file_.describe("cosurge", std::string(version));
+  file_.describe("title", case_.title());
+  file_.describe("case", as_json(case_));
+  file_.describe("date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))));
+  for (const Member& member : members_)
+    file_.describe(member.name, member.identity.program + " " + member.identity.version);
+}
+
+void Recorder::window(const Window& window, const Reports& reports, const std::vector<double>& coupling) {
+  assert(reports.size() == members_.size());
+  time_ = window.start + window.size;
+  ++windows_;
+  auto history = histories_.begin();
+  const auto add = [&](double value) {
+    assert(history != histories_.end());
+    (history++)->add(time_, value);
+  };
+  add(time_);
+  add(window.size);
+  for (const Report& report : reports)
+    for (const double value : report.values) add(value);
+  for (const double value : coupling) add(value);
+  assert(history == histories_.end());
+}
+
+void Recorder::frame(double time, const std::vector<Snapshot>& snapshots) {
+  assert(snapshots.size() == members_.size());
+  write_waiting();
+  for (std::size_t m = 0; m < snapshots.size(); ++m) {
+    XdmfCloud& cloud = clouds_[m];
+    for (const Array& array : snapshots[m]) {
+      const std::string name = without_prefix(array.name, cloud.name);
+      const std::string place = "/frames/" + cloud.name + "/" + name;
+      file_.append(place, array);
+      if (frame_times_.empty())
+        cloud.arrays.push_back({.name = name,
+                                .place = place,
+                                .particles = array.values.size() / static_cast<std::size_t>(array.components),
+                                .components = array.components});
+    }
+  }
+  file_.append("/frames/time", std::span(&time, 1));
+  frame_times_.push_back(time);
+  file_.flush();
+  replace_file(folder_ / xdmf_name, xdmf(results_name, frame_times_, clouds_));
+}
+
+void Recorder::flush() {
+  write_waiting();
+  file_.flush();
+}
+
+void Recorder::write_waiting() {
+  for (History& history : histories_) file_.append("/history/" + history.name(), history.take_waiting());
+}
+
+const History* Recorder::history(const std::string& name) const {
+  const auto found = std::find_if(histories_.begin(), histories_.end(),
+                                  [&](const History& history) { return history.name() == name; });
+  return found == histories_.end() ? nullptr : &*found;
+}
+
+double Recorder::wall_seconds() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+}  // namespace cosurge

@@ -1,0 +1,71 @@
+// Keeps what a run computes: results.h5, and results.xdmf beside it for ParaView.
+//
+//   /history/time, /history/window      end and length of each window [s]
+//   /history/fluid/COLUMN, /history/solid/COLUMN, /history/coupling/COLUMN      one value a window
+//   /frames/time                        instants of the frames [s]
+//   /frames/fluid/ARRAY, /frames/solid/ARRAY      frames x particles (x components, for vectors)
+//   /interface/position, area, body     the interface points in the reference configuration
+//
+// Every dataset of numbers with a unit says it in the attribute `unit`. Attributes of the root: format,
+// cosurge (version), title, case (JSON, with all defaults), date (UTC), fluid and solid (program and
+// version).
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "coupler/coupler.hpp"
+#include "coupler/history.hpp"
+#include "coupler/result_file.hpp"
+#include "coupler/xdmf.hpp"
+
+namespace cosurge {
+
+class Recorder : public Observer {
+ public:
+  static constexpr int format = 1;  ///< of results.h5: a change that an old reader misreads
+  static constexpr const char* results_name = "results.h5";
+  static constexpr const char* xdmf_name = "results.xdmf";
+
+  /// Creates the files in `folder`, which exists. @throws Error when they cannot be written or exist already.
+  Recorder(const std::filesystem::path& folder, const v1::Case& the_case, const std::vector<Member>& members,
+           const Interface& interface, const std::vector<Column>& coupling_columns);
+
+  /// One row of the histories. Rows stay in memory until the next frame() or flush().
+  void window(const Window& window, const Reports& reports, const std::vector<double>& coupling) override;
+
+  /// One frame, in the order of the members; afterwards all that was recorded is on disk.
+  /// An array's name loses the member's name in front: "solid_position" is /frames/solid/position.
+  void frame(double time, const std::vector<Snapshot>& snapshots) override;
+
+  void flush();
+
+  // What the summary tells.
+  const v1::Case& the_case() const { return case_; }
+  const std::vector<Member>& members() const { return members_; }
+  /// "fluid/front", or null where there is none.
+  const History* history(const std::string& name) const;
+  const std::vector<History>& histories() const { return histories_; }
+  std::uint64_t windows() const { return windows_; }
+  double time() const { return time_; }  ///< reached [s]
+  double wall_seconds() const;           ///< since the recorder was made
+
+ private:
+  void describe();
+  void write_waiting();
+
+  std::filesystem::path folder_;
+  v1::Case case_;
+  std::vector<Member> members_;
+  ResultFile file_;
+  std::vector<History> histories_;  // time, window, then in the order of reports and coupling values
+  std::vector<double> frame_times_;
+  std::vector<XdmfCloud> clouds_;
+  std::uint64_t windows_ = 0;
+  double time_ = 0;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace cosurge

@@ -1,0 +1,56 @@
+// The HDF5 file of a run.
+#pragma once
+
+#include <H5Cpp.h>
+
+#include <filesystem>
+#include <map>
+#include <span>
+#include <string>
+
+#include "common/participant.hpp"
+
+namespace cosurge {
+
+/// A file that grows. What was there at the last flush() can be read by any HDF5 reader at any time: while
+/// the run goes on, and after it was killed. For that
+/// - the writer takes no lock, and writes the oldest format, which knows no mark "open for writing";
+/// - nothing that the file's index says changes on disk before flush();
+/// - nothing that the index on disk points at is moved: series are not compressed, and frames are written
+/// once. A reader may still meet the file within a flush (a fraction of a millisecond), and must try again
+/// then. All calls throw Error when the file cannot be written.
+class ResultFile {
+ public:
+  /// @throws Error when `path` exists.
+  explicit ResultFile(const std::filesystem::path& path);
+
+  /// An attribute of the root.
+  void describe(const std::string& name, const std::string& text);
+  void describe(const std::string& name, int number);
+
+  /// Numbers that stay: one row a column of `field`.
+  void put(const std::string& name, const std::string& unit, const Field& field);
+  void put(const std::string& name, const std::vector<int>& numbers);
+
+  /// A number a row; append() makes it longer.
+  void add_series(const std::string& name, const std::string& unit);
+  void append(const std::string& name, std::span<const double> rows);
+
+  /// Frames x particles (x components, for vectors), as float32. The first frame sets the lengths.
+  void append(const std::string& name, const Array& frame);
+
+  void flush();
+
+ private:
+  template <typename Action>
+  void attempt(const std::string& doing, Action action);
+  H5::DataSet create(const std::string& name, const std::string& unit, const H5::DataType& type,
+                     const H5::DataSpace& space, const H5::DSetCreatPropList& layout);
+  H5::DataSet& frames(const std::string& name, const Array& like);
+
+  std::string path_;
+  H5::H5File file_;
+  std::map<std::string, H5::DataSet> growing_;
+};
+
+}  // namespace cosurge

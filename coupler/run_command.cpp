@@ -1,0 +1,154 @@
+#include "coupler/run_command.hpp"
+
+#include <atomic>
+#include <csignal>
+#include <filesystem>
+#include <optional>
+#include <thread>
+
+#include "common/case_file.hpp"
+#include "common/solvers.hpp"
+#include "coupler/launcher.hpp"
+#include "coupler/progress.hpp"
+#include "coupler/recorder.hpp"
+#include "coupler/summary.hpp"
+
+namespace cosurge {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int exit_failed = 1;
+constexpr int exit_interrupted = 130;
+constexpr std::chrono::seconds grace{2};  // for solvers to end by themselves
+
+std::atomic<bool> interrupted = false;
+
+void interrupt(int) { interrupted = true; }
+
+/// Creates the folder of the results: the one asked for, which must not hold any, or the next free
+/// results/NAME.
+fs::path make_folder(const RunOptions& options) {
+  fs::path folder = options.out;
+  if (folder.empty()) {
+    fs::path path = fs::path(options.case_path).lexically_normal();
+    if (path.filename().empty()) path = path.parent_path();
+    const fs::path name =
+        fs::is_directory(path) ? fs::absolute(path).filename() : fs::absolute(path).parent_path().filename();
+    folder = fs::path("results") / name;
+    for (int number = 2; fs::exists(folder); ++number)
+      folder = fs::path("results") / fmt::format("{}-{}", name.string(), number);
+  }
+  require(!fs::exists(folder / "results.h5"), "{}: holds results already; choose another --out",
+          folder.string());
+  fs::create_directories(folder);
+  return folder;
+}
+
+/// The endpoint where a solver that is started by hand is awaited; nothing where it is not.
+std::optional<std::string> by_hand(const RunOptions& options, const std::string& role) {
+  for (const std::string& text : options.by_hand) {
+    if (text == role) return "";
+    if (text.starts_with(role + "=")) return text.substr(role.size() + 1);
+  }
+  return std::nullopt;
+}
+
+Solver start(const RunOptions& options, Role role, const fs::path& sockets, const fs::path& folder) {
+  const bool fluid = role == Role::fluid;
+  const std::string name = fluid ? "fluid" : "solid";
+  const std::string program = name + "_solver";
+  const int cores =
+      options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency());
+  const int threads = fluid ? cores : 1;  // the solid's loops are too short to share
+  if (options.in_process)
+    return Solver::thread(fluid ? make_fluid_solver() : make_solid_solver(), options.patience, threads);
+  const auto endpoint = by_hand(options, name);
+  const Wiring wiring{.folder = sockets, .listen = endpoint.value_or(""), .patience = options.patience};
+  if (endpoint) {
+    Solver solver = Solver::by_hand(role, wiring, program);
+    fmt::print("start the {} solver:\n  {}\n", name, solver.how_to_start());
+    std::fflush(stdout);
+    return solver;
+  }
+  return Solver::process(
+      role, wiring,
+      {.program = beside_this_program(program), .arguments = {}, .log = folder / (program + ".log")},
+      threads);
+}
+
+/// The solvers of a case, started together and then welcomed.
+class Solvers {
+ public:
+  Solvers(const RunOptions& options, const v1::Case& the_case, const fs::path& folder) {
+    if (the_case.has_fluid()) fluid_.emplace(start(options, Role::fluid, sockets_.path(), folder));
+    if (the_case.has_solid()) solid_.emplace(start(options, Role::solid, sockets_.path(), folder));
+    for (auto* solver : {&fluid_, &solid_})
+      if (*solver) (*solver)->join(the_case.dimension(), {"save", "frame"});
+  }
+
+  Participants participants() {
+    return {.fluid = fluid_ ? &fluid_->participant() : nullptr,
+            .solid = solid_ ? &solid_->participant() : nullptr};
+  }
+
+  /// Seconds that messages cost beyond what the solvers computed.
+  double exchange_seconds() const {
+    double sum = 0;
+    for (const auto* solver : {&fluid_, &solid_})
+      if (*solver) sum += const_cast<std::optional<Solver>&>(*solver)->participant().cost().exchange();
+    return sum;
+  }
+
+  void stop(const std::string& reason) {
+    for (auto* solver : {&fluid_, &solid_})
+      if (*solver) (*solver)->stop(reason, grace);
+  }
+
+ private:
+  RunFolder sockets_;
+  std::optional<Solver> fluid_;
+  std::optional<Solver> solid_;
+};
+
+}  // namespace
+
+int run_command(const RunOptions& options) {
+  const v1::Case the_case = load_case(options.case_path, options.overrides);
+  const fs::path folder = make_folder(options);
+  std::signal(SIGINT, interrupt);
+  std::signal(SIGTERM, interrupt);
+
+  Solvers solvers(options, the_case, folder);
+  Coupler coupler(the_case, solvers.participants());
+  fmt::print("{}\n", the_case.title());
+  for (const Member& member : coupler.members())
+    fmt::print("  {}: {} {}, {} particles\n", member.name, member.identity.program, member.identity.version,
+               member.setup.particles);
+  fmt::print("  results: {}\n", (folder / "results.h5").string());
+  std::fflush(stdout);
+
+  Recorder recorder(folder, the_case, coupler.members(), coupler.interface(), coupler.columns());
+  Outcome outcome{.status = "finished", .reason = ""};
+  int exit_status = 0;
+  try {
+    Progress progress(the_case, coupler.members(), stdout);
+    if (!coupler.run({&recorder, &progress}, [] { return interrupted.load(); })) {
+      outcome = {.status = "interrupted",
+                 .reason = fmt::format("by a signal at t = {:.6g} s", coupler.time())};
+      exit_status = exit_interrupted;
+    }
+  } catch (const std::exception& error) {
+    outcome = {.status = "failed", .reason = error.what()};
+    exit_status = exit_failed;
+  }
+  outcome.exchange_seconds = solvers.exchange_seconds();
+  solvers.stop(outcome.status == "finished" ? "the run is over" : outcome.reason);
+  recorder.flush();
+  write_summary(folder, recorder, outcome);
+  fmt::print("{} at t = {:.6g} s after {} windows{}{}\n", outcome.status, coupler.time(), coupler.windows(),
+             outcome.reason.empty() ? "" : ": ", outcome.reason);
+  return exit_status;
+}
+
+}  // namespace cosurge

@@ -1,0 +1,24 @@
+// cosurge run: a coupled run from the case to the results.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace cosurge {
+
+struct RunOptions {
+  std::string case_path;
+  std::vector<std::string> overrides;
+  std::string out;          ///< folder of the results; empty: results/NAME, numbered where it is taken
+  bool in_process = false;  ///< solvers as threads of this process
+  std::vector<std::string> by_hand;  ///< "fluid", "solid=tcp://*:5555": solvers that somebody else starts
+  int threads = 0;                   ///< of the fluid solver; 0: one a core
+  double patience = 600;             ///< longest wait for a solver's answer [s]
+};
+
+/// Runs a case. Returns the exit status: 0 finished, 1 failed, 130 interrupted; the results are readable
+/// after each.
+/// @throws Error when the run cannot start; nothing is written then.
+int run_command(const RunOptions& options);
+
+}  // namespace cosurge

@@ -1,0 +1,92 @@
+#include "coupler/summary.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "common/version.hpp"
+#include "coupler/replace_file.hpp"
+
+namespace cosurge {
+namespace {
+
+using Json = nlohmann::ordered_json;  // writes numbers that are not finite as null
+
+constexpr std::string_view phase_prefix = "seconds_";
+
+Json last(const Recorder& recorder, const std::string& name) {
+  const History* history = recorder.history(name);
+  return history ? Json(history->last()) : Json();
+}
+
+Json extremes(const History& history) {
+  const auto when = [](const History::Extreme& extreme) {
+    return Json{{"value", extreme.value}, {"time", extreme.time}};
+  };
+  return {{"unit", history.unit()},
+          {"peak", when(history.peak())},
+          {"min", when(history.min())},
+          {"max", when(history.max())},
+          {"last", history.last()}};
+}
+
+/// A displacement probe has a history for each direction.
+Json probes(const Recorder& recorder) {
+  Json probes = Json::object();
+  const auto add = [&](const std::string& group, const std::string& column) {
+    if (const History* history = recorder.history(group + "/" + column)) probes[column] = extremes(*history);
+  };
+  for (const v1::Probe& probe : recorder.the_case().output().probe()) {
+    if (probe.quantity() == v1::Probe::pressure) add("fluid", probe.name());
+    for (const char* direction : {"_x", "_y", "_z"})
+      if (probe.quantity() == v1::Probe::displacement) add("solid", probe.name() + direction);
+  }
+  return probes;
+}
+
+/// Seconds of every phase that a participant reports, and of its processor.
+Json seconds(const Recorder& recorder, const std::string& member) {
+  Json phases = Json::object();
+  const std::string prefix = member + "/" + std::string(phase_prefix);
+  for (const History& history : recorder.histories())
+    if (history.name().starts_with(prefix)) phases[history.name().substr(prefix.size())] = history.last();
+  return {{"phases", phases}, {"cpu", last(recorder, member + "/cpu_seconds")}};
+}
+
+Json participants(const Recorder& recorder) {
+  Json participants = Json::object();
+  for (const Member& member : recorder.members()) {
+    Json& entry = participants[member.name];
+    entry["program"] = member.identity.program;
+    entry["version"] = member.identity.version;
+    entry["particles"] = member.setup.particles;
+    const History* substeps = recorder.history(member.name + "/substeps");
+    entry["steps"] = substeps ? Json(static_cast<std::uint64_t>(substeps->sum())) : Json(recorder.windows());
+    if (recorder.history(member.name + "/lost")) entry["lost"] = last(recorder, member.name + "/lost");
+    entry["seconds"] = seconds(recorder, member.name);
+  }
+  return participants;
+}
+
+}  // namespace
+
+void write_summary(const std::filesystem::path& folder, const Recorder& recorder, const Outcome& outcome) {
+  const Json summary = {{"status", outcome.status},
+                        {"reason", outcome.reason},
+                        {"title", recorder.the_case().title()},
+                        {"cosurge", version},
+                        {"end_time", recorder.time()},
+                        {"planned_end_time", recorder.the_case().time().end()},
+                        {"windows", recorder.windows()},
+                        {"wall_seconds", recorder.wall_seconds()},
+                        {"exchange_seconds", outcome.exchange_seconds},
+                        {"participants", participants(recorder)},
+                        {"interface_work",
+                         {{"points", last(recorder, "coupling/work_points")},
+                          {"solid", last(recorder, "solid/interface_work")}}},
+                        {"probes", probes(recorder)},
+                        {"results", {{"hdf5", Recorder::results_name}, {"xdmf", Recorder::xdmf_name}}}};
+  constexpr int indent = 2;
+  replace_file(folder / "summary.json",
+               summary.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace cosurge

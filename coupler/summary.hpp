@@ -1,0 +1,24 @@
+// summary.json: how a run went, on one page.
+#pragma once
+
+#include <filesystem>
+#include <limits>
+#include <string>
+
+#include "coupler/recorder.hpp"
+
+namespace cosurge {
+
+/// How a run ended.
+struct Outcome {
+  std::string status;  ///< "finished", "interrupted" or "failed"
+  std::string reason;  ///< why it did not finish
+  double exchange_seconds =
+      std::numeric_limits<double>::quiet_NaN();  ///< that messages cost beyond computing
+};
+
+/// Writes summary.json into `folder`. What is not known, or not finite, is null.
+/// @throws Error when it cannot be written.
+void write_summary(const std::filesystem::path& folder, const Recorder& recorder, const Outcome& outcome);
+
+}  // namespace cosurge
