@@ -22,9 +22,10 @@ struct XdmfCloud {
   std::vector<XdmfArray> arrays;
 };
 
-/// An XDMF 2 document (read alike by readers of XDMF 3): a temporal collection of polyvertex grids for every
-/// cloud that has positions and particles. Vectors of two components get a zero for the third. `file`: name
-/// of the HDF5 file beside it; `times`: of the frames [s].
+/// An XDMF 2 document: a temporal collection of polyvertex grids for every cloud that has positions and
+/// particles. Vectors of two components get a zero for the third. To be opened with ParaView's "XDMF Reader":
+/// its Xdmf3 readers do not know the HyperSlab items that pick a frame out of an array.
+/// `file`: name of the HDF5 file beside it; `times`: of the frames [s].
 std::string xdmf(const std::string& file, const std::vector<double>& times,
                  const std::vector<XdmfCloud>& clouds);
 
