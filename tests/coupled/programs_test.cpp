@@ -1,0 +1,162 @@
+// The real programs, started as a user starts them.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/program.hpp"
+#include "tests/support/results.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace cosurge::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string cosurge_program = fs::path(COSURGE_PROGRAMS) / "cosurge";
+const std::string small_dam_break = COSURGE_SOURCE_DIR "/tests/cases/small_dam_break";
+constexpr double patience = 120;  // s: hundreds of times what these runs take on an idle machine
+
+class Programs : public ::testing::Test {
+ protected:
+  /// Starts cosurge run with the small dam break, results in `name`.
+  Program start(const std::string& name, std::vector<std::string> arguments) {
+    std::vector<std::string> command = {cosurge_program, "run", small_dam_break, "--out", folder(name)};
+    command.insert(command.end(), arguments.begin(), arguments.end());
+    return Program(command, scratch_.path() / (name + ".log"));
+  }
+
+  /// Runs to the end and expects success.
+  void run(const std::string& name, std::vector<std::string> arguments) {
+    Program program = start(name, std::move(arguments));
+    ASSERT_EQ(program.wait(patience), 0) << program.output();
+  }
+
+  fs::path folder(const std::string& name) const { return scratch_.path() / name; }
+
+  ScratchFolder scratch_;
+};
+
+void expect_same_bits(const fs::path& first, const fs::path& second) {
+  const Datasets a = physics(read_results(first));
+  const Datasets b = physics(read_results(second));
+  ASSERT_GT(a.size(), 20U);
+  ASSERT_EQ(a.size(), b.size());
+  for (const auto& [name, values] : a) {
+    ASSERT_TRUE(b.contains(name)) << name;
+    const std::vector<double>& others = b.at(name);
+    ASSERT_EQ(values.size(), others.size()) << name;
+    ASSERT_EQ(std::memcmp(values.data(), others.data(), sizeof(double) * values.size()), 0) << name << " differs";
+  }
+}
+
+TEST_F(Programs, ThreeProcessesAndOneGiveTheSameBits) {
+  run("processes", {});
+  run("threads", {"--in-process"});
+  expect_same_bits(folder("processes"), folder("threads"));
+  const Datasets results = read_results(folder("processes"));
+  double largest = 0;
+  for (const double tip : results.at("/history/solid/tip_x")) largest = std::max(largest, tip);
+  EXPECT_GT(largest, 1e-4) << "the water must have moved the plate, or nothing was compared";
+}
+
+TEST_F(Programs, OneAndTwoThreadsGiveTheSameBits) {
+  // 8.1e3 unknowns and more than the 4096 terms from which loops are shared among threads.
+  const std::vector<std::string> finer = {"--set", "fluid.spacing=0.002", "time.end=0.12"};
+  for (const std::string threads : {"1", "2"}) {
+    std::vector<std::string> arguments = finer;
+    arguments.insert(arguments.end(), {"--threads", threads});
+    run("threads" + threads, arguments);
+  }
+  expect_same_bits(folder("threads1"), folder("threads2"));
+}
+
+TEST_F(Programs, OneWordMakesThePlateRigid) {
+  run("rigid", {"--set", "solid.model=rigid"});
+  const Datasets results = read_results(folder("rigid"));
+  double force = 0;
+  for (const double f : results.at("/history/coupling/force_x")) force = std::max(force, f);
+  EXPECT_GT(force, 1.0) << "the water must have reached the plate";
+  for (const double tip : results.at("/history/solid/tip_x")) ASSERT_EQ(tip, 0.0);
+}
+
+TEST_F(Programs, WorkOnTheInterfaceIsTheSameOnBothSides) {
+  for (const std::string load : {"held", "ramped"}) {
+    run(load, {"--set", "coupling.load=" + load});
+    const nlohmann::json work = read_summary(folder(load)).at("interface_work");
+    const double points = work.at("points");
+    EXPECT_GT(std::abs(points), 1e-4);
+    // Two sums of some 1e5 products of the same numbers in different order.
+    EXPECT_NEAR(points, work.at("solid").get<double>(), 1e-12 * std::abs(points)) << load;
+  }
+}
+
+TEST_F(Programs, NoWaterIsLostAndNoneEntersThePlate) {
+  run("water", {});
+  const Datasets results = read_results(folder("water"));
+  for (const double lost : results.at("/history/fluid/lost")) ASSERT_EQ(lost, 0);
+  for (const double inside : results.at("/history/fluid/inside_bodies")) ASSERT_EQ(inside, 0);
+}
+
+TEST_F(Programs, AKilledSolverEndsTheRunInWordsAndLeavesReadableResults) {
+  for (const std::string victim : {"fluid_solver", "solid_solver"}) {
+    Program program = start(victim, {"--set", "time.end=20"});
+    ASSERT_TRUE(program.says("window ", patience)) << program.output();
+    const auto children = children_of(program.pid());
+    EXPECT_EQ(children.size(), 2U);
+    for (const auto& [pid, name] : children)
+      if (name == victim) kill(pid, SIGKILL);
+    EXPECT_EQ(program.wait(10), 1) << program.output();
+    EXPECT_NE(program.output().find(victim), std::string::npos) << program.output();
+    EXPECT_NE(program.output().find("signal 9"), std::string::npos) << program.output();
+    for (const auto& [pid, name] : children) EXPECT_NE(kill(pid, 0), 0) << name << " was left behind";
+    EXPECT_EQ(read_summary(folder(victim)).at("status"), "failed");
+    const Datasets results = read_results(folder(victim));
+    EXPECT_GT(results.at("/history/time").size(), 100U);
+    EXPECT_GE(results.at("/frames/time").size(), 2U);
+  }
+}
+
+TEST_F(Programs, AnInterruptEndsTheRunAndKeepsWhatItHas) {
+  Program program = start("interrupted", {"--set", "time.end=20"});
+  ASSERT_TRUE(program.says("window ", patience)) << program.output();
+  const auto children = children_of(program.pid());
+  kill(program.pid(), SIGINT);
+  EXPECT_EQ(program.wait(10), 130) << program.output();
+  EXPECT_EQ(read_summary(folder("interrupted")).at("status"), "interrupted");
+  EXPECT_GT(read_results(folder("interrupted")).at("/history/time").size(), 100U);
+  for (const auto& [pid, name] : children) EXPECT_NE(kill(pid, 0), 0) << name << " was left behind";
+}
+
+TEST_F(Programs, ResultsAreNotWrittenOver) {
+  run("once", {"--set", "time.end=0.002", "output.frame_interval=0.001"});
+  const auto before = fs::last_write_time(folder("once") / "results.h5");
+  Program again = start("once", {});
+  EXPECT_EQ(again.wait(patience), 1);
+  EXPECT_NE(again.output().find("holds results already"), std::string::npos) << again.output();
+  EXPECT_EQ(fs::last_write_time(folder("once") / "results.h5"), before);
+}
+
+TEST_F(Programs, ABadCaseIsRefusedBeforeAnythingIsWritten) {
+  Program program = start("bad", {"--set", "fluid.spacing=0.005", "solid.density=-1"});
+  EXPECT_EQ(program.wait(patience), 1);
+  EXPECT_NE(program.output().find("solid.density: -1 must be > 0 [kg/m3]"), std::string::npos) << program.output();
+  EXPECT_FALSE(fs::exists(folder("bad")));
+}
+
+TEST_F(Programs, CheckSaysWhatWouldRun) {
+  Program program({cosurge_program, "check", small_dam_break}, scratch_.path() / "check.log");
+  EXPECT_EQ(program.wait(patience), 0);
+  for (const std::string word : {"valid", "particles", "windows", "memory", "time"})
+    EXPECT_NE(program.output().find(word), std::string::npos) << program.output();
+}
+
+TEST_F(Programs, EveryCaseOfTheProjectIsValid) {
+  for (const auto& entry : fs::directory_iterator(COSURGE_SOURCE_DIR "/cases")) {
+    if (!fs::exists(entry.path() / "case.toml")) continue;
+    Program program({cosurge_program, "check", entry.path()}, scratch_.path() / "check.log");
+    EXPECT_EQ(program.wait(patience), 0) << program.output();
+  }
+}
+
+}  // namespace
+}  // namespace cosurge::testing
