@@ -10,8 +10,9 @@ constexpr int expected_neighbors(int dim) { return dim == 2 ? 20 : 50; }  // 12 
 template <int dim>
 void check_crowding(const CellGrid<dim>& grid, const Particles<dim>& particles) {
   constexpr int widest = dim == 2 ? 25 : 125;  // cells that the pressure equation looks at around one
+  constexpr int most = most_entries(dim) / widest;
   for (int c = 0; c < grid.cells(); ++c) {
-    if (grid.population(c) <= Rows::slack / widest) continue;
+    if (grid.population(c) <= most) continue;
     const Vec<dim> x = particles.x[static_cast<std::size_t>(grid.first(c))];
     throw NumericalError(fmt::format("{} particles lie in one cell of the neighbour search, at ({:.4g}, {:.4g}): the "
                                      "water has collapsed there; use a smaller window or a smaller compressibility",
@@ -39,8 +40,8 @@ void Neighbors<dim>::rebuild(Particles<dim>& particles) {
     });
     return count;
   };
-  rows_.fill(particles.size(), expected_neighbors(dim), [&](std::int64_t room) { index_.resize(static_cast<std::size_t>(room)); },
-             list);
+  const auto prepare = [&](std::int64_t entries) { index_.resize(static_cast<std::size_t>(entries)); };
+  rows_.fill(particles.size(), expected_neighbors(dim), most_entries(dim), prepare, list);
 }
 
 template class Neighbors<2>;

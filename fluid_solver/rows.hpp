@@ -10,6 +10,9 @@
 
 namespace cosurge::fluid {
 
+/// Most entries that one row may have, and candidates that it may look at.
+constexpr int most_entries(int dim) { return dim == 2 ? 4096 : 32768; }
+
 /// The row structure of neighbour lists and sparse matrices. Rows of a chunk lie one behind the other; each chunk has
 /// a stretch of its own, so that chunks are filled independently and the result does not depend on the threads.
 class Rows {
@@ -17,22 +20,22 @@ class Rows {
   static constexpr int chunk = 256;
 
   /// Fills all rows: fill(row, place) writes the entries of `row` from `place` on and returns how many there are.
-  /// `prepare(capacity)` makes room for so many entries; at most `width` entries may be added by one row beyond its
-  /// share, and where a chunk does not hold its rows everything is filled again with more room.
+  /// `prepare(capacity)` makes room for so many entries. A row may touch `most` entries; `expected` are there on
+  /// average, and where a chunk does not hold its rows everything is filled again with more room.
   template <typename Prepare, typename Fill>
-  void fill(int rows, int expected, Prepare&& prepare, Fill&& fill_row) {
+  void fill(int rows, int expected, int most, Prepare&& prepare, Fill&& fill_row) {
     begin_.resize(static_cast<std::size_t>(rows));
     end_.resize(static_cast<std::size_t>(rows));
     const int chunks = (rows + chunk - 1) / chunk;
     share_ = std::max(share_, expected);
     for (bool full = true; full; share_ = full ? 2 * share_ : share_) {
-      const std::int64_t stretch = static_cast<std::int64_t>(chunk) * share_ + slack;
+      const std::int64_t stretch = static_cast<std::int64_t>(chunk) * share_ + most;
       prepare(stretch * chunks);
       std::atomic<bool> overflow = false;
 #pragma omp parallel for schedule(dynamic, 1)
       for (int c = 0; c < chunks; ++c) {
         std::int64_t place = stretch * c;
-        const std::int64_t last = stretch * (c + 1) - slack;
+        const std::int64_t last = stretch * (c + 1) - most;
         for (int i = c * chunk; i < std::min(rows, (c + 1) * chunk) && place <= last; ++i) {
           begin_[i] = place;
           place += fill_row(i, place);
@@ -43,9 +46,6 @@ class Rows {
       full = overflow;
     }
   }
-
-  /// Most entries that one row may have.
-  static constexpr int slack = 4096;
 
   int rows() const { return static_cast<int>(begin_.size()); }
   std::int64_t begin(int row) const { return begin_[static_cast<std::size_t>(row)]; }

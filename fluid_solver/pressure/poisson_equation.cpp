@@ -50,7 +50,7 @@ void PoissonEquation<dim>::assemble(const Particles<dim>& particles, const CellG
   const double re = parameters_.re;
   const double re2 = re * re * (1 - 1e-9);  // sites on the edge do not count, as in the reference values
   const Vec<dim> rho_g = parameters_.density * parameters_.gravity;
-  const int reach = static_cast<int>(std::ceil(re / grid.cell_size()));
+  const int reach = static_cast<int>(std::ceil(std::sqrt(re2) / grid.cell_size()));
   const auto* x = particles.x.data();
   A_.diagonal.resize(place_.size());
   b_.resize(place_.size());
@@ -74,12 +74,11 @@ void PoissonEquation<dim>::assemble(const Particles<dim>& particles, const CellG
       const Vec<dim> x_ij = x[j] - x[i];
       const double r = x_ij.norm();
       const auto w = static_cast<float>(weight(r, re));
-      if (!has_pressure(particles.kind[j])) {
+      if (!has_pressure(particles.kind[j]) || (on_body && behind<dim>(areas[i], x_ij, r)) ||
+          (particles.kind[j] == Kind::body_surface && behind<dim>(areas[j], -x_ij, r))) {
         wall += static_cast<double>(w) * rho_g.dot(x_ij);
         continue;
       }
-      if (on_body && behind<dim>(areas[i], x_ij, r)) continue;
-      if (particles.kind[j] == Kind::body_surface && behind<dim>(areas[j], -x_ij, r)) continue;
       diagonal += w;
       if (unknown_[j] < 0) continue;
       A_.column[begin + count] = unknown_[j];
@@ -94,7 +93,7 @@ void PoissonEquation<dim>::assemble(const Particles<dim>& particles, const CellG
     A_.column.resize(static_cast<std::size_t>(entries));
     A_.weight.resize(static_cast<std::size_t>(entries));
   };
-  A_.rows.fill(static_cast<int>(place_.size()), expected_neighbors(dim), room, row);
+  A_.rows.fill(static_cast<int>(place_.size()), expected_neighbors(dim), most_entries(dim), room, row);
 }
 
 template class PoissonEquation<2>;
