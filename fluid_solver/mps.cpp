@@ -1,5 +1,6 @@
 #include "fluid_solver/mps.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "common/error.hpp"
@@ -120,7 +121,7 @@ void Mps<dim>::search_neighbors() {
 
 template <int dim>
 void Mps<dim>::locate_bodies() {
-  body_place_.resize(static_cast<std::size_t>(bodies_.points()));
+  body_place_.assign(static_cast<std::size_t>(bodies_.points()), -1);
   areas_.resize(static_cast<std::size_t>(particles_.size()));
   for (int i = 0; i < particles_.size(); ++i) {
     const int point = particles_.id[i] - first_body_id_;
@@ -128,6 +129,10 @@ void Mps<dim>::locate_bodies() {
     body_place_[point] = i;
     if (!body_areas_.empty()) areas_[i] = body_areas_[point];
   }
+  if (const auto gone = std::count(body_place_.begin(), body_place_.end(), -1); gone > 0)
+    throw NumericalError(fmt::format("{} of {} points of the bodies have left the fluid's domain: the solid has blown "
+                                     "up, or fluid.tank is too small",
+                                     gone, bodies_.points()));
 }
 
 template <int dim>
@@ -163,6 +168,7 @@ void Mps<dim>::set_source(double dt) {
     return 0.0;
   };
   const bool needs_divergence = parameters_.source() != v1::Fluid::deviation;
+  const Vec<dim> kick = dt * gravity_;
   source_.resize(static_cast<std::size_t>(particles_.size()));
 #pragma omp parallel for schedule(dynamic, Rows::chunk)
   for (int i = 0; i < particles_.size(); ++i) {
@@ -170,7 +176,7 @@ void Mps<dim>::set_source(double dt) {
     source_[i] = source({.density = parameters_.density(),
                          .dt = dt,
                          .deviation = (particles_.n[i] - reference_.n0) / reference_.n0,
-                         .divergence = needs_divergence ? divergence(particles_, neighbors_, i, reference_.n0) : 0});
+                         .divergence = needs_divergence ? divergence(particles_, neighbors_, i, reference_.n0, kick) : 0});
   }
 }
 

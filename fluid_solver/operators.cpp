@@ -35,10 +35,13 @@ Vec<dim> gradient_conserving(const Particles<dim>& particles, const Neighbors<di
 }
 
 template <int dim>
-double divergence(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i, double n0) {
+double divergence(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i, double n0,
+                  const Vec<dim>& kick) {
+  const auto kicked = [&](int k) { return particles.kind[k] == Kind::fluid ? 0.0 : 1.0; };
   double sum = 0;
   neighbors.each(particles, i, [&](int j, const Vec<dim>& x_ij, double r) {
-    sum += (particles.u[j] - particles.u[i]).dot(x_ij) * weight(r, neighbors.re()) / (r * r);
+    const Vec<dim> u_ij = particles.u[j] - particles.u[i] + (kicked(j) - kicked(i)) * kick;
+    sum += u_ij.dot(x_ij) * weight(r, neighbors.re()) / (r * r);
   });
   return dim / n0 * sum;
 }
@@ -57,8 +60,8 @@ template Vec<2> gradient_p_min<2>(const Particles<2>&, const Neighbors<2>&, int,
 template Vec<3> gradient_p_min<3>(const Particles<3>&, const Neighbors<3>&, int, double);
 template Vec<2> gradient_conserving<2>(const Particles<2>&, const Neighbors<2>&, int, double, const Vec<2>&);
 template Vec<3> gradient_conserving<3>(const Particles<3>&, const Neighbors<3>&, int, double, const Vec<3>&);
-template double divergence<2>(const Particles<2>&, const Neighbors<2>&, int, double);
-template double divergence<3>(const Particles<3>&, const Neighbors<3>&, int, double);
+template double divergence<2>(const Particles<2>&, const Neighbors<2>&, int, double, const Vec<2>&);
+template double divergence<3>(const Particles<3>&, const Neighbors<3>&, int, double, const Vec<3>&);
 template Vec<2> velocity_laplacian<2>(const Particles<2>&, const Neighbors<2>&, int, double, double);
 template Vec<3> velocity_laplacian<3>(const Particles<3>&, const Neighbors<3>&, int, double, double);
 

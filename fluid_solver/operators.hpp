@@ -17,9 +17,12 @@ template <int dim>
 Vec<dim> gradient_conserving(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i, double n0,
                              const Vec<dim>& rho_g);
 
-/// Velocity divergence at particle i, eq. (10): (d / n0) sum of (u_j - u_i) . x_ij / r^2 w over all neighbours.
+/// Velocity divergence at particle i, eq. (10): (d / n0) sum of (u_j - u_i) . x_ij / r^2 w over all neighbours. `kick`
+/// [m/s] is added to the velocity of walls and bodies: what gravity has given the water in the prediction. The Neumann
+/// condition of eq. (11) takes it back from both; without it the source would count the weight of the water once more.
 template <int dim>
-double divergence(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i, double n0);
+double divergence(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i, double n0,
+                  const Vec<dim>& kick);
 
 /// Laplacian of the velocity at particle i, eq. (8): (2 d / (lambda0 n0)) sum of (u_j - u_i) w over all neighbours.
 template <int dim>
