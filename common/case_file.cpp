@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <optional>
 
 #include "common/case_rules.hpp"
@@ -17,9 +18,11 @@ using google::protobuf::EnumDescriptor;
 using google::protobuf::FieldDescriptor;
 using google::protobuf::Message;
 
-std::string place(const toml::node& node) {
+/// Where a node stands; `around` for a table that an override has brought about, which stands nowhere.
+std::string place(const toml::node& node, const std::string& around) {
   const toml::source_region& source = node.source();
-  const std::string path = source.path ? *source.path : "";
+  if (!source.path) return around;
+  const std::string& path = *source.path;
   return path.starts_with("--set") ? path : fmt::format("{}:{}", path, source.begin.line);
 }
 
@@ -47,12 +50,12 @@ class Walk {
   explicit Walk(CaseErrors& errors) : errors_(errors) {}
 
   void table(const toml::table& from, const std::string& path, Message& into) {
-    errors_.places[path] = place(from);
+    const std::string here = errors_.places[path] = place(from, errors_.places[path]);
     const Descriptor& type = *into.GetDescriptor();
     for (const auto& [key, node] : from) {
       const FieldDescriptor* field = type.FindFieldByName(std::string(key.str()));
       const std::string key_path = child(path, key.str());
-      errors_.places[key_path] = place(node);
+      errors_.places[key_path] = place(node, here);
       if (field == nullptr) {
         errors_.add(key_path, "unknown key, allowed: " + field_names(type));
       } else if (field->is_repeated()) {
@@ -65,7 +68,7 @@ class Walk {
       const FieldDescriptor& field = *type.field(i);
       const bool needed = field.is_required() || rule_of(field).vector() || rule_of(field).at_least() > 0;
       if (needed && !from.contains(field.name())) {
-        errors_.places[child(path, field.name())] = place(from);
+        errors_.places[child(path, field.name())] = here;
         errors_.add(child(path, field.name()), "missing");
       }
     }
@@ -84,8 +87,11 @@ class Walk {
         return;
       case FieldDescriptor::CPPTYPE_INT32:
         if (!node.is_integer()) return errors_.add(path, "must be a whole number");
-        if (const auto value = number(node, path, field))
+        if (const auto value = number(node, path, field)) {
+          constexpr int most = std::numeric_limits<int>::max();
+          if (std::abs(*value) > most) return errors_.add(path, fmt::format("{} must be <= {}", *value, most));
           reflection.SetInt32(&into, &field, static_cast<int>(*value));
+        }
         return;
       case FieldDescriptor::CPPTYPE_BOOL:
         if (!node.is_boolean()) return errors_.add(path, "must be true or false");
@@ -119,7 +125,7 @@ class Walk {
     int entry = 0;
     for (const toml::node& item : *array) {
       const std::string item_path = fmt::format("{}.{}", path, entry++);
-      errors_.places[item_path] = place(item);
+      errors_.places[item_path] = place(item, errors_.places[path]);
       if (!tables) {
         if (const auto value = number(item, item_path, field))
           into.GetReflection()->AddDouble(&into, &field, *value);
@@ -162,8 +168,17 @@ toml::table parse_value(const std::string& source, const std::string& value) {
   try {
     return toml::parse("value = " + value, source);
   } catch (const toml::parse_error&) {
+    require(value.find_first_of("'\n\r") == std::string::npos, "{}: \"{}\" is neither a TOML value nor a word", source,
+            value);
     return toml::parse("value = '" + value + "'", source);
   }
+}
+
+/// The entry of a list that `key` means, if there is one.
+std::optional<std::size_t> entry_of(const toml::array& items, const std::string& key) {
+  const bool numeric = !key.empty() && key.size() < 9 && key.find_first_not_of("0123456789") == std::string::npos;
+  if (!numeric || std::stoul(key) >= items.size()) return std::nullopt;
+  return std::stoul(key);
 }
 
 /// Walks down `keys` from `node`, making tables where there are none; null where the way leads through a
@@ -173,10 +188,8 @@ toml::node* descend(toml::node* node, const std::string& key) {
     if (!inner->contains(key)) inner->insert(key, toml::table{});
     return inner->get(key);
   }
-  if (toml::array* items = node->as_array()) {
-    const bool numeric = !key.empty() && key.find_first_not_of("0123456789") == std::string::npos;
-    if (numeric && key.size() < 9) return items->get(std::stoul(key));
-  }
+  if (toml::array* items = node->as_array())
+    if (const auto entry = entry_of(*items, key)) return items->get(*entry);
   return nullptr;
 }
 
@@ -196,13 +209,12 @@ void apply_override(toml::table& root, const std::string& text) {
   toml::node& value = *parsed.get("value");
   if (toml::table* inner = node ? node->as_table() : nullptr) {
     inner->insert_or_assign(last, std::move(value));
-  } else if (toml::array* items = node ? node->as_array() : nullptr;
-             items != nullptr && last.find_first_not_of("0123456789") == std::string::npos &&
-             std::stoul(last) < items->size()) {
-    items->replace(items->begin() + static_cast<long>(std::stoul(last)), std::move(value));
-  } else {
-    throw Error(fmt::format("{}: the case has no such key", source));
+    return;
   }
+  toml::array* items = node ? node->as_array() : nullptr;
+  const auto entry = items ? entry_of(*items, last) : std::nullopt;
+  require(entry.has_value(), "{}: the case has no such key", source);
+  items->replace(items->begin() + static_cast<std::ptrdiff_t>(*entry), std::move(value));
 }
 
 /// Writes every default into the message, so that what was computed can be read off the results.

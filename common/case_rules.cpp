@@ -16,7 +16,8 @@ constexpr double whole =
 
 bool divides(double spacing, double length) {
   const double quotient = length / spacing;
-  return std::abs(quotient - std::round(quotient)) < whole * std::max(1.0, std::abs(quotient));
+  const double nearest = std::round(quotient);
+  return (nearest != 0 || length == 0) && std::abs(quotient - nearest) < whole * std::max(1.0, std::abs(quotient));
 }
 
 /// A box of the case, with its key, and whether the lattice must fill it exactly.
@@ -79,6 +80,10 @@ void check_spacing(const std::string& key, double spacing, const std::vector<Nam
       }
     }
   }
+  constexpr double finest = 1e5;  // spacings along a side: no memory holds more
+  const double longest = *std::max_element(lengths.begin(), lengths.end());
+  if (longest > finest * spacing)
+    return errors.add(key, fmt::format("{} must be >= {:.6g} [m], the longest side over {}", spacing, longest / finest, finest));
   if (wrong.empty()) return;
   const auto below = nearest_spacing(spacing, lengths, 1);
   const auto above = nearest_spacing(spacing, lengths, -1);
@@ -136,7 +141,8 @@ void check_solid(const v1::Case& c, CaseErrors& errors) {
     return errors.add("solid.spacing", "missing (there is no fluid to take it from)");
   const double spacing = solid.has_spacing() ? solid.spacing() : c.fluid().spacing();
   const double fluid_spacing = c.has_fluid() ? c.fluid().spacing() : spacing;
-  constexpr double fewest = 3;  // layers, so that water on one side does not see water on the other
+  // Layers, so that water on one side does not see water on the other.
+  const double fewest = std::max(3.0, c.has_fluid() ? std::ceil(c.fluid().re_laplacian()) - 1 : 0.0);
   for (int i = 0; i < solid.body_size(); ++i) {
     const v1::Body& body = solid.body(i);
     for (int k = 0; k < body.box().min_size(); ++k) {

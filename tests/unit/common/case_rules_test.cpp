@@ -1,0 +1,217 @@
+#include "common/case_rules.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/case_text.hpp"
+
+namespace cosurge {
+namespace {
+
+using testing::CaseText;
+using testing::errors_of;
+using ::testing::HasSubstr;
+using testing::line_of;
+using ::testing::StartsWith;
+
+/// A line of the good case, what it is replaced by, and the one error that must come of it. `place` is a
+/// piece of the line that the error names; empty for the spoiled line itself.
+struct Spoiled {
+  std::string name;
+  std::string from;
+  std::string to;
+  std::string error;
+  std::string place = "";
+};
+
+const Spoiled table[] = {
+    // Keys
+    {"UnknownKeyAtTheTop",
+     "gravity =", "wind = 3\ngravity =", "wind: unknown key, allowed: title, reference, dimension"},
+    {"UnknownTable", "[coupling]", "[couplings]", "couplings: unknown key"},
+    {"UnknownKeyInATable", "end    = 0.1", "end = 0.1\nstop = 1",
+     "time.stop: unknown key, allowed: end, window, stepping", "stop = 1"},
+    {"UnknownKeyInABox", "tank    = { min", "tank    = { low = 1, min",
+     "fluid.tank.low: unknown key, allowed: min, max"},
+    {"UnknownKeyInAListEntry", "name = \"P1\"", "name = \"P1\"\nunit = \"Pa\"",
+     "output.probe.1.unit: unknown key", "unit ="},
+    {"UnknownKeyInASubtable", "{ max_iterations = 500 }", "{ max_iteration = 500 }",
+     "fluid.pressure.max_iteration: unknown key"},
+    {"MissingText", "title   = \"Plate in water\"\n", "", "title: missing", "gravity"},
+    {"MissingNumber", "density       = 2500.0\n", "", "solid.density: missing", "[solid]"},
+    {"MissingVector", "gravity = [0.0, -9.81]\n", "", "gravity: missing", "title"},
+    {"MissingTable", "tank    = { min = [0.0, 0.0], max = [0.3, 0.3] }\n", "", "fluid.tank: missing",
+     "[fluid]"},
+    {"MissingCorner", "tank    = { min = [0.0, 0.0], ", "tank    = { ", "fluid.tank.min: missing"},
+    // Types
+    {"TextForANumber", "end    = 0.1", "end = \"late\"", "time.end: must be a number"},
+    {"NumberForAText", "title   = \"Plate in water\"", "title = 3", "title: must be a text in quotes"},
+    {"FractionForAWholeNumber", "max_iterations = 500", "max_iterations = 500.5",
+     "fluid.pressure.max_iterations: must be a whole number"},
+    {"WholeNumberBeyondAllBounds", "max_iterations = 500", "max_iterations = 5000000000",
+     "fluid.pressure.max_iterations: 5000000000 must be <= 2147483647"},
+    {"NumberForATable", "tank    = { min = [0.0, 0.0], max = [0.3, 0.3] }", "tank = 3",
+     "fluid.tank: must be a table, allowed keys: min, max"},
+    {"TableForAList", "clamp = [{ min = [0.1, -0.02], max = [0.14, 0.0] }]",
+     "clamp = { min = [0.1, -0.02], max = [0.14, 0.0] }", "solid.body.0.clamp: must be a list of tables"},
+    {"NumberForAVector", "position = [0.1, 0.05]", "position = 0.1",
+     "output.probe.1.position: must be a list"},
+    {"TextInAVector", "position = [0.1, 0.05]", "position = [0.1, \"low\"]",
+     "output.probe.1.position.1: must be a number"},
+    {"NumberInAListOfTables", "clamp = [{ min = [0.1, -0.02], max = [0.14, 0.0] }]", "clamp = [1]",
+     "solid.body.0.clamp.0: must be a table"},
+    {"UnknownWord", "source  = \"mixed\"", "source = \"mix\"",
+     "fluid.source: must be one of: deviation, mixed, time_scale"},
+    {"NumberForAWord", "source  = \"mixed\"", "source = 1", "fluid.source: must be one of: deviation"},
+    // Ranges
+    {"Negative", "spacing = 0.01", "spacing = -0.01", "fluid.spacing: -0.01 must be > 0 [m]"},
+    {"Zero", "density       = 2500.0", "density = 0", "solid.density: 0 must be > 0 [kg/m3]"},
+    {"AboveTheBound", "young_modulus = 1.0e6", "young_modulus = 1.0e6\npoisson_ratio = 0.5",
+     "solid.poisson_ratio: 0.5 must be < 0.5 [-]", "poisson_ratio"},
+    {"Infinite", "young_modulus = 1.0e6", "young_modulus = inf",
+     "solid.young_modulus: inf must be finite [Pa]"},
+    {"NotANumber", "end    = 0.1", "end = nan", "time.end: nan must be finite [s]"},
+    {"NotANumberInAVector", "gravity = [0.0, -9.81]", "gravity = [nan, 0.0]",
+     "gravity.0: nan must be finite [m/s2]"},
+    {"FourDimensions", "gravity =", "dimension = 4\ngravity =", "dimension: 4 must be <= 3"},
+    // Lengths
+    {"VectorTooLong", "position = [0.1, 0.05]", "position = [0.1, 0.05, 0.0]",
+     "output.probe.1.position: has 3 components, must have 2"},
+    {"VectorTooShort", "gravity = [0.0, -9.81]", "gravity = [0.0]", "gravity: has 1 components, must have 2"},
+    {"ListTooShort",
+     "water   = [{ min = [0.0, 0.0], max = [0.1, 0.2] }, { min = [0.15, 0.0], max = [0.2, 0.2] }]",
+     "water = []", "fluid.water: has 0 entries, needs at least 1"},
+    // Boxes
+    {"InvertedBox", "max = [0.2, 0.2] }]", "max = [0.12, 0.2] }]",
+     "fluid.water.1: min 0.15 must be < max 0.12 in coordinate 0"},
+    {"EmptyBox", "max = [0.2, 0.2] }]", "max = [0.2, 0.0] }]",
+     "fluid.water.1: min 0 must be < max 0 in coordinate 1"},
+    {"OverlappingWater", "{ min = [0.15, 0.0], max = [0.2, 0.2] }",
+     "{ min = [0.05, 0.1], max = [0.1, 0.25] }", "fluid.water.1: overlaps fluid.water.0"},
+    {"WaterInABody", "{ min = [0.15, 0.0], max", "{ min = [0.13, 0.0], max",
+     "fluid.water.1: overlaps solid.body.0.box"},
+    {"WaterOutsideTheTank", "max = [0.2, 0.2] }]", "max = [0.31, 0.2] }]",
+     "fluid.water.1: must lie inside fluid.tank"},
+    {"BodyOutsideTheTank", "max = [0.14, 0.1] }", "max = [0.14, 0.31] }",
+     "solid.body.0.box: must lie inside fluid.tank"},
+    {"InvertedClamp", "clamp = [{ min = [0.1, -0.02]", "clamp = [{ min = [0.1, 0.02]",
+     "solid.body.0.clamp.0: min 0.02 must be < max 0 in coordinate 1"},
+    {"ClampOffTheBody", "clamp = [{ min = [0.1, -0.02], max = [0.14, 0.0] }]",
+     "clamp = [{ min = [0.1, -0.05], max = [0.14, -0.02] }]",
+     "solid.body.0.clamp.0: must touch the body's box"},
+    {"ThinBody", "max = [0.14, 0.1] }", "max = [0.12, 0.1] }",
+     "solid.body.0.box: is 2 spacings thick, must be at least 3"},
+    {"SpacingThatDoesNotDivide", "spacing = 0.01", "spacing = 0.012",
+     "nearest that divide every box: 0.01 below, none above"},
+    {"BoxOffTheLattice", "max = [0.3, 0.3] }", "max = [0.303, 0.3] }",
+     "does not divide fluid.tank (0.303 is 30.3 spacings)", "spacing"},
+    {"SolidSpacingThatDoesNotDivide", "density       = 2500.0", "density = 2500.0\nspacing = 0.003",
+     "solid.spacing: 0.003 does not divide solid.body.0.box", "spacing = 0.003"},
+    // Between keys
+    {"WideLaplacian", "source  =", "re_gradient = 1.6\nsource  =",
+     "fluid.re_laplacian: 4 must be <= 2 fluid.re_gradient", "[fluid]"},
+    {"ProbeOutsideItsBody", "position = [0.1, 0.05]", "position = [0.2, 0.05]",
+     "output.probe.1.position: must lie in or on a body's box"},
+    {"ProbeNameTwice", "name = \"P1\"", "name   = \"tip\"", "output.probe.1.name: \"tip\" is taken"},
+    {"ProbeNameWithASpace", "name = \"P1\"", "name = \"P 1\"",
+     "output.probe.1.name: must be made of letters"},
+    {"ProbeWithoutAName", "name = \"P1\"", "name = \"\"", "output.probe.1.name: must be made of letters"},
+    {"WindowBeyondTheEnd", "window = 1.0e-3", "window = 0.2", "time.window: 0.2 must be <= time.end = 0.1"},
+    {"FramesCloserThanWindows", "frame_interval = 0.01", "frame_interval = 0.0005",
+     "output.frame_interval: 0.0005 must be >= time.window = 0.001"},
+    {"FixedWindowsThatDoNotDivideTheEnd", "window = 1.0e-3", "window = 0.003\nstepping = \"fixed\"",
+     "time.end: 0.1 must be a whole number of windows of 0.003", "end    ="},
+};
+
+class SpoiledCase : public ::testing::TestWithParam<Spoiled> {};
+
+TEST_P(SpoiledCase, IsRefusedWithItsKeyAndItsLine) {
+  const Spoiled& s = GetParam();
+  const CaseText text(s.from, s.to);
+  const std::string errors = errors_of(text.file());
+  EXPECT_THAT(errors, HasSubstr(s.error));
+  const std::string where = s.place.empty() ? s.to.substr(0, s.to.find('\n')) : s.place;
+  // The line with the error begins with its place.
+  const auto at = errors.find(s.error);
+  if (at == std::string::npos) return;
+  const auto begin = errors.rfind('\n', at);
+  const std::string line = errors.substr(begin == std::string::npos ? 0 : begin + 1);
+  EXPECT_THAT(line, StartsWith(fmt::format("{}:{}: ", text.file(), line_of(text, where))));
+}
+
+INSTANTIATE_TEST_SUITE_P(CaseRules, SpoiledCase, ::testing::ValuesIn(table),
+                         [](const auto& spoiled) { return spoiled.param.name; });
+
+TEST(CaseRules, TheGoodCaseOfTheTableIsGood) { EXPECT_EQ(errors_of(CaseText().file()), ""); }
+
+TEST(CaseRules, FixedWindowsMustDivideTheEndAndTheFrames) {
+  const CaseText text;
+  const std::string errors = errors_of(text.file(), {"time.stepping=fixed", "time.window=0.0007"});
+  EXPECT_THAT(errors, HasSubstr("time.end: 0.1 must be a whole number of windows of 0.0007"));
+  EXPECT_THAT(errors, HasSubstr("output.frame_interval: 0.01 must be a whole number of windows of 0.0007"));
+  EXPECT_EQ(errors_of(text.file(), {"time.stepping=fixed", "time.window=0.0005"}), "");
+}
+
+const std::string hydrostatic = std::string(COSURGE_SOURCE_DIR) + "/cases/hydrostatic/case.toml";
+const std::string cantilever = std::string(COSURGE_SOURCE_DIR) + "/cases/cantilever/case.toml";
+
+TEST(CaseRules, CouplingNeedsBothAFluidAndASolid) {
+  for (const std::string& file : {hydrostatic, cantilever})
+    EXPECT_THAT(errors_of(file, {"coupling.scheme=weak"}),
+                HasSubstr("coupling: only where there are a [fluid] and a [solid]"));
+}
+
+TEST(CaseRules, ASceneNeedsSomethingInIt) {
+  const CaseText text(std::string(testing::good_case),
+                      "title = \"Nothing\"\ngravity = [0, 0]\n[time]\nend = 1\nwindow = 1\n");
+  EXPECT_THAT(errors_of(text.file()), HasSubstr("a case needs a [fluid], a [solid], or both"));
+}
+
+TEST(CaseRules, ASolidAloneNeedsItsSpacing) {
+  const CaseText text(
+      std::string(testing::good_case),
+      "title = \"Plate\"\ngravity = [0, 0]\n[time]\nend = 1\nwindow = 0.01\n[solid]\ndensity = 1\n"
+      "young_modulus = 1\n[[solid.body]]\nbox = { min = [0, 0], max = [1, 1] }\n");
+  EXPECT_THAT(errors_of(text.file()),
+              HasSubstr("solid.spacing: missing (there is no fluid to take it from)"));
+}
+
+TEST(CaseRules, PressureProbesNeedWater) {
+  EXPECT_THAT(errors_of(cantilever, {"output.probe.0.quantity=pressure"}),
+              HasSubstr("output.probe.0.quantity: needs a fluid"));
+}
+
+TEST(CaseRules, ABodyIsThickEnoughThatTheLaplacianDoesNotSeeThroughIt) {
+  const CaseText text("max = [0.14, 0.1] }", "max = [0.13, 0.1] }");
+  const std::vector<std::string> narrow_clamp = {"solid.body.0.clamp.0.max=[0.13, 0.0]"};
+  EXPECT_EQ(errors_of(text.file(), narrow_clamp), "");
+  EXPECT_THAT(errors_of(text.file(), {narrow_clamp[0], "fluid.re_laplacian=5", "fluid.re_gradient=2.5"}),
+              HasSubstr("solid.body.0.box: is 3 spacings thick, must be at least 4"));
+}
+
+TEST(CaseRules, SpacingsThatDivideInDecimalsAreAccepted) {
+  // 0.146 / 0.002 and 0.3 / 0.1 are no whole numbers in binary.
+  for (const char* spacing : {"0.001", "0.002", "0.005", "0.01"})
+    EXPECT_EQ(errors_of(CaseText().file(), {fmt::format("fluid.spacing={}", spacing)}), "") << spacing;
+}
+
+TEST(CaseRules, SpacingsOfAnySizeAreAnswered) {
+  for (const char* spacing : {"1e-300", "1e-12", "3.3333e-9", "7", "1e300"}) {
+    const std::string errors = errors_of(CaseText().file(), {fmt::format("fluid.spacing={}", spacing)});
+    EXPECT_THAT(errors, HasSubstr("fluid.spacing")) << spacing;
+  }
+}
+
+TEST(CaseErrors, ArePlacedAtTheNearestKeyThatStandsInTheFile) {
+  CaseErrors errors;
+  errors.places = {{"", "case.toml"}, {"fluid", "case.toml:3"}};
+  EXPECT_NO_THROW(errors.raise());
+  errors.add("fluid.tank.min", "is wrong");
+  errors.add("solid", "is missing");
+  EXPECT_EQ(errors.lines[0], "case.toml:3: fluid.tank.min: is wrong");
+  EXPECT_EQ(errors.lines[1], "case.toml: solid: is missing");
+  EXPECT_THROW(errors.raise(), Error);
+}
+
+}  // namespace
+}  // namespace cosurge
