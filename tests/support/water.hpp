@@ -29,15 +29,16 @@ struct Cloud {
   }
 };
 
-/// A block of fluid with a corner in the origin: the sites of the lattice, moved by up to `disorder` spacings along each
-/// axis. Sorted, with neighbours in a domain that is larger by three spacings.
+/// A block of fluid with a corner in the origin: the sites of the lattice, moved by up to `disorder` spacings
+/// along each axis. Sorted, with neighbours in a domain that is larger by three spacings.
 template <int dim>
 Cloud<dim> block(const Counts<dim>& counts, double spacing, double disorder = 0, double re = 2.1) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> shift(-disorder * spacing, disorder * spacing);
   const Box<dim> box(Vec<dim>::Zero(), counts.template cast<double>() * spacing);
   const Vec<dim> margin = Vec<dim>::Constant(3 * spacing);
-  Cloud<dim> cloud{.particles = {}, .neighbors = Neighbors<dim>({box.min - margin, box.max + margin}, re * spacing)};
+  Cloud<dim> cloud{.particles = {},
+                   .neighbors = Neighbors<dim>({box.min - margin, box.max + margin}, re * spacing)};
   for (Vec<dim> x : fill(box, spacing)) {
     if (disorder > 0)
       for (double& coordinate : x) coordinate += shift(random);

@@ -1,0 +1,280 @@
+#include "fluid_solver/pressure/poisson_equation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "fluid_solver/bodies.hpp"
+#include "fluid_solver/tank.hpp"
+#include "fluid_solver/weight.hpp"
+#include "tests/support/water.hpp"
+
+namespace cosurge::fluid {
+namespace {
+
+using test::box_of;
+
+constexpr double l0 = 0.01;
+constexpr double rho = 1000;
+constexpr double g = 9.81;
+constexpr double dt = 1e-3;
+constexpr double single = 2e-7;  // relative rounding of a sum of weights in single precision
+
+struct SceneParameters {
+  double water = 0.16;  ///< depth [m]
+  double disorder = 0;  ///< [l0]
+  double compressibility = 1e-20;
+  const v1::Solid* solid = nullptr;
+};
+
+/// A tank with water and a body in it, its free surface found and its pressure equation with no source.
+template <int dim>
+struct Tank {
+  explicit Tank(const SceneParameters& p)
+      : box(Vec<dim>::Zero(), Vec<dim>::Constant(0.12)),
+        cloud{.particles = {}, .neighbors = Neighbors<dim>(domain(p), 2.1 * l0)},
+        equation({.spacing = l0,
+                  .re = 4 * l0,
+                  .density = rho,
+                  .compressibility = p.compressibility,
+                  .gravity = -g * Vec<dim>::Unit(dim - 1)}) {
+    box.max[dim - 1] = p.water + 0.04;
+    fill_with_water(p);
+    add_tank(cloud.particles, box, 3, l0);
+    first_body = cloud.particles.size();
+    if (p.solid != nullptr) bodies = Bodies<dim>(*p.solid, box, l0);
+    for (int k = 0; k < bodies.points(); ++k)
+      cloud.particles.add(bodies.wet(k) ? Kind::body_surface : Kind::body_inner, bodies.position(k));
+    cloud.neighbors.rebuild(cloud.particles);
+    density_and_free_surface(cloud.particles, cloud.neighbors, reference_values<dim>(2.1 * l0, l0).n0,
+                             {.beta = 0.97, .delta = 0.2 * l0});
+    const auto size = static_cast<std::size_t>(cloud.particles.size());
+    areas.assign(size, Vec<dim>::Zero());
+    const Interface interface = bodies.interface();
+    for (int i = 0; i < cloud.particles.size(); ++i)
+      if (cloud.particles.id[i] >= first_body)
+        areas[i] = interface.area.col(cloud.particles.id[i] - first_body);
+    equation.assemble(cloud.particles, cloud.neighbors.grid(), std::vector<double>(size, 0.0), areas, dt);
+  }
+
+  Box<dim> domain(const SceneParameters& p) const {
+    Box<dim> inner = box;
+    inner.max[dim - 1] = p.water + 0.04;
+    return tank_domain<dim>(inner, 3, l0);
+  }
+
+  void fill_with_water(const SceneParameters& p) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> shift(-p.disorder * l0, p.disorder * l0);
+    Box<dim> water = box;
+    water.max[dim - 1] = p.water;
+    for (Vec<dim> x : fill(water, l0)) {
+      if (p.solid != nullptr && Box<dim>(p.solid->body(0).box()).contains(x)) continue;
+      if (p.disorder > 0)
+        for (double& coordinate : x) coordinate += shift(random);
+      cloud.particles.add(Kind::fluid, x);
+    }
+  }
+
+  Box<dim> box;
+  test::Cloud<dim> cloud;
+  Bodies<dim> bodies;
+  int first_body = 0;
+  std::vector<Vec<dim>> areas;
+  PoissonEquation<dim> equation;
+};
+
+/// The weight of unknown k towards unknown m, 0 where there is none.
+float entry(const Matrix& A, int k, int m) {
+  for (std::int64_t e = A.rows.begin(k); e < A.rows.end(k); ++e)
+    if (A.column[e] == m) return A.weight[e];
+  return 0;
+}
+
+void expect_symmetric(const Matrix& A) {
+  std::int64_t entries = 0;
+  for (int k = 0; k < A.size(); ++k)
+    for (std::int64_t e = A.rows.begin(k); e < A.rows.end(k); ++e, ++entries)
+      EXPECT_EQ(A.weight[e], entry(A, A.column[e], k)) << k << ", " << A.column[e];
+  EXPECT_GT(entries, 10 * A.size());
+}
+
+const v1::Solid plate = test::solid_of(box_of({0.05, 0.0}, {0.08, 0.10}));
+const v1::Solid sunk_box = test::solid_of(box_of({0.05, 0.05}, {0.08, 0.08}));
+
+TEST(PoissonEquation, IsSymmetricToTheBit) {
+  expect_symmetric(Tank<2>({}).equation.matrix());
+  expect_symmetric(Tank<2>({.disorder = 0.3}).equation.matrix());
+  expect_symmetric(Tank<2>({.disorder = 0.3, .solid = &plate}).equation.matrix());
+  expect_symmetric(Tank<3>({.water = 0.08, .disorder = 0.3}).equation.matrix());
+}
+
+template <int dim>
+void expect_row_sums(const Tank<dim>& tank, double compressibility) {
+  const auto& particles = tank.cloud.particles;
+  const Matrix& A = tank.equation.matrix();
+  const ReferenceValues reference = reference_values<dim>(4 * l0, l0);
+  const double stiffness = reference.lambda0 * reference.n0 / (2 * dim) * compressibility * rho / (dt * dt);
+  int to_surface = 0;
+  for (int k = 0; k < A.size(); ++k) {
+    const int i = tank.equation.unknowns()[k];
+    double surface = 0;
+    for (int j = 0; j < particles.size(); ++j) {
+      const double r = (particles.x[j] - particles.x[i]).norm();
+      if (j != i && has_pressure(particles.kind[j]) && particles.free_surface[j] != 0 &&
+          r < 4 * l0 * (1 - 1e-9))
+        surface += weight(r, 4 * l0);
+    }
+    to_surface += surface > 0 ? 1 : 0;
+    double sum = A.diagonal[k];
+    for (std::int64_t e = A.rows.begin(k); e < A.rows.end(k); ++e) sum -= static_cast<double>(A.weight[e]);
+    EXPECT_NEAR(sum, surface + stiffness, single * A.diagonal[k]) << particles.x[i].transpose();
+  }
+  EXPECT_GT(to_surface, 10);
+  EXPECT_LT(to_surface, A.size());
+}
+
+TEST(PoissonEquation, RowSumsAreTheCouplingToTheFreeSurfaceAndTheCompressibility) {
+  expect_row_sums(Tank<2>({.disorder = 0.2}), 1e-20);
+  expect_row_sums(Tank<2>({.disorder = 0.2, .compressibility = 1e-6}), 1e-6);
+  expect_row_sums(Tank<3>({.water = 0.06, .compressibility = 1e-8}), 1e-8);
+}
+
+TEST(PoissonEquation, HasOneUnknownForEachParticleWithAPressureThatIsNotFreeSurface) {
+  const Tank<2> tank({.disorder = 0.2, .solid = &plate});
+  int expected = 0;
+  const auto& particles = tank.cloud.particles;
+  for (int i = 0; i < particles.size(); ++i)
+    expected += has_pressure(particles.kind[i]) && particles.free_surface[i] == 0 ? 1 : 0;
+  EXPECT_EQ(tank.equation.matrix().size(), expected);
+  int in_cells = 0;
+  const CellsOfUnknowns& cells = tank.equation.cells();
+  for (std::size_t c = 0; c < cells.cell.size(); ++c) {
+    for (int k = cells.first[c]; k < cells.first[c + 1]; ++k, ++in_cells) {
+      const auto cell = tank.cloud.neighbors.grid().cell_of(particles.x[tank.equation.unknowns()[k]]);
+      EXPECT_EQ((std::array{cell[0], cell[1], 0}), cells.cell[c]);
+    }
+  }
+  EXPECT_EQ(in_cells, expected);
+}
+
+/// |b - A p| of the hydrostatic pressure, in units of rho g l0 times the diagonal, of the rows that `chosen`
+/// takes.
+template <int dim, typename Chosen>
+double hydrostatic_residual(const Tank<dim>& tank, double depth, int& rows, Chosen&& chosen) {
+  const auto& particles = tank.cloud.particles;
+  const Matrix& A = tank.equation.matrix();
+  std::vector<double> p, Ap(static_cast<std::size_t>(A.size()));
+  for (const std::int32_t i : tank.equation.unknowns())
+    p.push_back(rho * g * (depth - 0.5 * l0 - particles.x[i][dim - 1]));
+  multiply(A, p, Ap);
+  double worst = 0;
+  rows = 0;
+  for (int k = 0; k < A.size(); ++k) {
+    if (!chosen(particles.x[tank.equation.unknowns()[k]])) continue;
+    ++rows;
+    worst = std::max(worst,
+                     std::abs(Ap[k] - tank.equation.right_hand_side()[k]) / (A.diagonal[k] * rho * g * l0));
+  }
+  return worst;
+}
+
+// Full supports of the lattice: floor, side walls and corners are exact, dummies stand for the missing water.
+template <int dim>
+void expect_hydrostatics(double depth) {
+  const Tank<dim> tank({.water = depth});
+  int rows = 0;
+  const auto deep = [&](const Vec<dim>& x) { return x[dim - 1] < depth - 4 * l0; };
+  EXPECT_LT(hydrostatic_residual(tank, depth, rows, deep),
+            20 * single);  // times pressures of some 16 rho g l0
+  EXPECT_GT(rows, 12 * 12);
+}
+
+TEST(PoissonEquation, HydrostaticPressureSolvesItDownToTheCornersOfATank) {
+  expect_hydrostatics<2>(0.16);
+  expect_hydrostatics<3>(0.10);
+}
+
+// Within its radius of the surface the support of the Laplacian ends at the surface layer, and what is
+// missing above has no stand-in. The solution is hydrostatic below, under a surface that lies this much too
+// high.
+TEST(PoissonEquation, TheFreeSurfaceLiesLessThanASpacingTooHigh) {
+  const Tank<2> tank({});
+  const Matrix& A = tank.equation.matrix();
+  v1::Pressure choice;
+  const auto M = make_preconditioner(choice);
+  M->set_up(A, tank.equation.cells());
+  std::vector<double> p(static_cast<std::size_t>(A.size()), 0.0);
+  ASSERT_TRUE(conjugate_gradient(A, tank.equation.right_hand_side(), *M, 1e-10, 2000, p).converged);
+  for (int k = 0; k < A.size(); ++k) {
+    const Vec<2>& x = tank.cloud.particles.x[tank.equation.unknowns()[k]];
+    if (x[1] > 0.10) continue;
+    const double too_high = p[k] / (rho * g) - (0.16 - x[1]);
+    EXPECT_GT(too_high, 0.3 * l0) << x.transpose();
+    EXPECT_LT(too_high, 1.0 * l0) << x.transpose();
+  }
+}
+
+// The same around a body: what lies behind a wet face stands for the hydrostatic pressure, as dummies do.
+TEST(PoissonEquation, HydrostaticPressureSolvesItAroundASunkBody) {
+  const Tank<2> tank({.water = 0.16, .solid = &sunk_box});
+  int rows = 0;
+  const auto deep = [&](const Vec<2>& x) { return x[1] < 0.12; };
+  EXPECT_LT(hydrostatic_residual(tank, 0.16, rows, deep), 20 * single);
+}
+
+/// Largest weight of a particle left of the plate towards one to the right of it, well below its tip and
+/// above its foot, where the floor goes through.
+float weight_through_plate(const Tank<2>& tank) {
+  const auto& x = tank.cloud.particles.x;
+  const auto& unknowns = tank.equation.unknowns();
+  const Matrix& A = tank.equation.matrix();
+  float largest = 0;
+  int beside = 0;
+  for (int k = 0; k < A.size(); ++k) {
+    const Vec<2>& from = x[unknowns[k]];
+    if (from[0] > 0.06 || from[1] < 0 || from[1] > 0.07) continue;
+    for (std::int64_t e = A.rows.begin(k); e < A.rows.end(k); ++e, ++beside) {
+      const Vec<2>& to = x[unknowns[A.column[e]]];
+      if (to[0] > 0.07 && to[1] > 0) largest = std::max(largest, A.weight[e]);
+    }
+  }
+  EXPECT_GT(beside, 1000);
+  return largest;
+}
+
+TEST(PoissonEquation, WaterDoesNotSeeThroughABodyOfThreeLayers) {
+  EXPECT_EQ(weight_through_plate(Tank<2>({.solid = &plate})), 0);
+  // Pressed onto both faces by 0.25 spacings, two fluid particles see each other with w(3.5 l0), of a
+  // diagonal of some 30.
+  EXPECT_LT(weight_through_plate(Tank<2>({.disorder = 0.25, .solid = &plate})), weight(3.5, 4.0) + 1e-6);
+}
+
+TEST(PoissonEquation, ASurfaceParticleFeelsTheWaterInFrontOfIt) {
+  const Tank<2> tank({.solid = &plate});
+  const int i = tank.cloud.nearest({0.055, 0.045});
+  const auto& unknowns = tank.equation.unknowns();
+  const auto k = static_cast<int>(std::find(unknowns.begin(), unknowns.end(), i) - unknowns.begin());
+  ASSERT_EQ(tank.cloud.particles.kind[i], Kind::body_surface);
+  for (const Vec<2>& x : {Vec<2>(0.045, 0.045), Vec<2>(0.035, 0.055), Vec<2>(0.055, 0.055)}) {
+    const int j = tank.cloud.nearest(x);
+    const auto m = static_cast<int>(std::find(unknowns.begin(), unknowns.end(), j) - unknowns.begin());
+    EXPECT_NEAR(entry(tank.equation.matrix(), k, m), weight((x - tank.cloud.particles.x[i]).norm(), 4 * l0),
+                single);
+  }
+}
+
+TEST(PoissonEquation, SourcesEnterWithTheScaleOfTheLaplacian) {
+  Tank<2> tank({});
+  const auto before = tank.equation.right_hand_side();
+  const auto size = static_cast<std::size_t>(tank.cloud.particles.size());
+  tank.equation.assemble(tank.cloud.particles, tank.cloud.neighbors.grid(), std::vector<double>(size, 7.0),
+                         tank.areas, dt);
+  const ReferenceValues reference = reference_values<2>(4 * l0, l0);
+  for (std::size_t k = 0; k < before.size(); ++k)
+    EXPECT_NEAR(tank.equation.right_hand_side()[k] - before[k], -7.0 * reference.lambda0 * reference.n0 / 4,
+                1e-12 * std::abs(before[k]) + 1e-15);
+}
+
+}  // namespace
+}  // namespace cosurge::fluid
