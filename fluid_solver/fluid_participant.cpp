@@ -83,13 +83,11 @@ class FluidParticipant::SceneOf : public Scene {
 
   Snapshot frame() override {
     const auto count = static_cast<std::size_t>(mps_.initial_size());
-    const float nothing = std::numeric_limits<float>::quiet_NaN();  // where a particle is lost
-    Array position{"position", "m", dim, std::vector<float>(dim * count, nothing)};
-    Array velocity{"velocity", "m/s", dim, std::vector<float>(dim * count, nothing)};
-    Array pressure{"pressure", "Pa", 1, std::vector<float>(count, nothing)};
-    Array density{"number_density", "n0", 1, std::vector<float>(count, nothing)};
-    Array kind{"kind", "-", 1, std::vector<float>(count)};
-    for (std::size_t id = 0; id < count; ++id) kind.values[id] = static_cast<float>(mps_.initial_kind()[id]);
+    Array position{"position", "m", dim, std::vector<float>(dim * count)};
+    Array velocity{"velocity", "m/s", dim, std::vector<float>(dim * count)};
+    Array pressure{"pressure", "Pa", 1, std::vector<float>(count)};
+    Array density{"number_density", "n0", 1, std::vector<float>(count)};
+    Array kind{"kind", "-", 1, std::vector<float>(count, lost_kind)};
     const Particles<dim>& particles = mps_.particles();
     for (int i = 0; i < particles.size(); ++i) {
       const auto id = static_cast<std::size_t>(particles.id[i]);
@@ -99,11 +97,14 @@ class FluidParticipant::SceneOf : public Scene {
       }
       pressure.values[id] = static_cast<float>(particles.p[i]);
       density.values[id] = static_cast<float>(particles.n[i] / mps_.n0());
+      kind.values[id] = static_cast<float>(particles.kind[i]);
     }
     return {position, velocity, pressure, density, kind};
   }
 
  private:
+  static constexpr float lost_kind = 5;  // of a particle that has left the domain: it stands in the origin
+
   double spacing() const { return case_.fluid().spacing(); }
   double particle_mass() const { return case_.fluid().density() * std::pow(spacing(), dim); }
 

@@ -51,7 +51,6 @@ Mps<dim>::Mps(const v1::Fluid& fluid, const v1::Solid* solid, const Vec<dim>& gr
   const double fall = 2 * (tank_.max - tank_.min).maxCoeff();
   const double sound = 1 / std::sqrt(fluid.density() * fluid.compressibility());
   speed_bound_ = gravity.norm() > 0 ? 10 * std::sqrt(2 * gravity.norm() * fall) : sound;
-  initial_kind_ = particles_.kind;
   search_neighbors();
   const Field at_rest = Field::Zero(dim, bodies_.points());
   move_bodies(at_rest, at_rest);

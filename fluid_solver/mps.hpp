@@ -42,7 +42,6 @@ class Mps {
   const Bodies<dim>& bodies() const { return bodies_; }
   const Particles<dim>& particles() const { return particles_; }
   int initial_size() const { return initial_size_; }
-  const std::vector<Kind>& initial_kind() const { return initial_kind_; }
   const Neighbors<dim>& neighbors() const { return neighbors_; }
   double n0() const { return reference_.n0; }
   const PhaseClock<phase_count>& clock() const { return clock_; }
@@ -69,7 +68,6 @@ class Mps {
   Bodies<dim> bodies_;
   Particles<dim> particles_;
   int initial_size_ = 0;
-  std::vector<Kind> initial_kind_;  // by id
   Neighbors<dim> neighbors_;
   PoissonEquation<dim> poisson_;
   std::unique_ptr<Preconditioner> preconditioner_;
