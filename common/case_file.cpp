@@ -32,12 +32,14 @@ std::string child(const std::string& path, std::string_view key) {
 
 std::string field_names(const Descriptor& type) {
   std::vector<std::string> names;
+  names.reserve(static_cast<std::size_t>(type.field_count()));
   for (int i = 0; i < type.field_count(); ++i) names.push_back(type.field(i)->name());
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
 std::string words(const EnumDescriptor& type) {
   std::vector<std::string> names;
+  names.reserve(static_cast<std::size_t>(type.value_count()));
   for (int i = 0; i < type.value_count(); ++i) names.push_back(type.value(i)->name());
   return fmt::format("{}", fmt::join(names, ", "));
 }

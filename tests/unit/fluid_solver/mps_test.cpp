@@ -154,6 +154,24 @@ TEST(MpsStep, TheConservingGradientKeepsTheMomentumOfAFreeBlock) {
   }
 }
 
+TEST(MpsStep, PositionsMoveWithTheVelocitiesAtTheEndOfTheStep) {
+  // Pressures, collisions and viscosity all have a part in them.
+  v1::Fluid fluid = small_dam_break();
+  fluid.set_kinematic_viscosity(1e-3);
+  Mps<2> mps(fluid, nullptr, down);
+  change_velocities(mps, [](Vec<2>& u, const Vec<2>& x) {
+    u = {2 * std::sin(700 * x[0]), -2 * std::sin(500 * x[1])};
+  });
+  std::vector<Vec<2>> start(static_cast<std::size_t>(mps.initial_size()));
+  for (int i = 0; i < mps.particles().size(); ++i) start[mps.particles().id[i]] = mps.particles().x[i];
+  constexpr double dt = 1e-3;
+  (void)mps.step(0, dt);
+  const Particles<2>& p = mps.particles();
+  for (int i = 0; i < p.size(); ++i)
+    EXPECT_LT((p.x[i] - start[p.id[i]] - dt * p.u[i]).norm(), 1e-15)
+        << i;  // rounding of positions of order 0.1
+}
+
 TEST(MpsStep, WaterThatLeavesThroughTheOpenTopIsCountedAsLost) {
   Mps<2> mps(tank_of_water(l0, box_of({0, 0}, {0.1, 0.1}), {box_of({0, 0.05}, {0.1, 0.1})}), nullptr, {0, g});
   const int before = mps.particles().size();
