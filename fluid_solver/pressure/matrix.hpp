@@ -17,6 +17,12 @@ struct Matrix {
 
   int size() const { return static_cast<int>(diagonal.size()); }
 
+  /// Calls visit(column, weight) for the entries of row i, in ascending order.
+  template <typename Visit>
+  void each(int i, Visit&& visit) const {
+    for (std::int64_t k = rows.begin(i); k < rows.end(i); ++k) visit(column[k], weight[k]);
+  }
+
   template <typename Scalar>
   Scalar off_diagonal(int i, const Scalar* x) const {
     Scalar sum = 0;

@@ -60,8 +60,7 @@ double true_residual(const Matrix& A, const Vector& b, const Vector& x) {
   Vector r(b);
   for (int i = 0; i < A.size(); ++i) {
     r[i] -= A.diagonal[i] * x[i];
-    for (std::int64_t k = A.rows.begin(i); k < A.rows.end(i); ++k)
-      r[i] += static_cast<double>(A.weight[k]) * x[A.column[k]];
+    A.each(i, [&](int j, float weight) { r[i] += static_cast<double>(weight) * x[j]; });
   }
   return std::sqrt(dot(r, r) / dot(b, b));
 }

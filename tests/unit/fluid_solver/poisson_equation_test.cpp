@@ -86,16 +86,19 @@ struct Tank {
 
 /// The weight of unknown k towards unknown m, 0 where there is none.
 float entry(const Matrix& A, int k, int m) {
-  for (std::int64_t e = A.rows.begin(k); e < A.rows.end(k); ++e)
-    if (A.column[e] == m) return A.weight[e];
-  return 0;
+  float found = 0;
+  A.each(k, [&](int column, float weight) { found = column == m ? weight : found; });
+  return found;
 }
 
 void expect_symmetric(const Matrix& A) {
   std::int64_t entries = 0;
-  for (int k = 0; k < A.size(); ++k)
-    for (std::int64_t e = A.rows.begin(k); e < A.rows.end(k); ++e, ++entries)
-      EXPECT_EQ(A.weight[e], entry(A, A.column[e], k)) << k << ", " << A.column[e];
+  for (int k = 0; k < A.size(); ++k) {
+    A.each(k, [&](int m, float weight) {
+      EXPECT_EQ(weight, entry(A, m, k)) << k << ", " << m;
+      ++entries;
+    });
+  }
   EXPECT_GT(entries, 10 * A.size());
 }
 
@@ -127,7 +130,7 @@ void expect_row_sums(const Tank<dim>& tank, double compressibility) {
     }
     to_surface += surface > 0 ? 1 : 0;
     double sum = A.diagonal[k];
-    for (std::int64_t e = A.rows.begin(k); e < A.rows.end(k); ++e) sum -= static_cast<double>(A.weight[e]);
+    A.each(k, [&](int, float weight_kj) { sum -= static_cast<double>(weight_kj); });
     EXPECT_NEAR(sum, surface + stiffness, single * A.diagonal[k]) << particles.x[i].transpose();
   }
   EXPECT_GT(to_surface, 10);
@@ -234,10 +237,11 @@ float weight_through_plate(const Tank<2>& tank) {
   for (int k = 0; k < A.size(); ++k) {
     const Vec<2>& from = x[unknowns[k]];
     if (from[0] > 0.06 || from[1] < 0 || from[1] > 0.07) continue;
-    for (std::int64_t e = A.rows.begin(k); e < A.rows.end(k); ++e, ++beside) {
-      const Vec<2>& to = x[unknowns[A.column[e]]];
-      if (to[0] > 0.07 && to[1] > 0) largest = std::max(largest, A.weight[e]);
-    }
+    A.each(k, [&](int column, float weight_to) {
+      const Vec<2>& to = x[unknowns[column]];
+      if (to[0] > 0.07 && to[1] > 0) largest = std::max(largest, weight_to);
+      ++beside;
+    });
   }
   EXPECT_GT(beside, 1000);
   return largest;
