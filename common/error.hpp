@@ -1,4 +1,5 @@
-// Three kinds of wrong: the user can fix it (Error), the numbers failed (NumericalError), we are wrong (assert).
+// Three kinds of wrong: the user can fix it (Error), the numbers failed (NumericalError), we are wrong
+// (assert).
 #pragma once
 
 #include <fmt/format.h>

@@ -16,7 +16,8 @@ struct Box {
   Vec<dim> max;
 
   explicit Box(const v1::Box& box)
-      : min(Eigen::Map<const Vec<dim>>(box.min().data())), max(Eigen::Map<const Vec<dim>>(box.max().data())) {}
+      : min(Eigen::Map<const Vec<dim>>(box.min().data())),
+        max(Eigen::Map<const Vec<dim>>(box.max().data())) {}
   Box(const Vec<dim>& lower, const Vec<dim>& upper) : min(lower), max(upper) {}
 
   bool contains(const Vec<dim>& x) const {
@@ -24,8 +25,8 @@ struct Box {
   }
 };
 
-/// Centre (k + 1/2) l0 of a site of the one lattice that all particles of a spacing share. Both solvers get the same
-/// bits for the same site.
+/// Centre (k + 1/2) l0 of a site of the one lattice that all particles of a spacing share. Both solvers get
+/// the same bits for the same site.
 template <int dim>
 Vec<dim> site(const Eigen::Matrix<long, dim, 1>& k, double spacing) {
   return (k.template cast<double>().array() + 0.5) * spacing;

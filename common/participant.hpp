@@ -27,8 +27,8 @@ struct Identity {
 /// The interface is made of the fluid's points on and in the bodies, in the reference configuration.
 struct Interface {
   int dimension = 0;
-  Field position;         ///< [m]
-  Field area;             ///< outward area vectors [m^(d-1)]; zero at inner points, which only complete the bodies
+  Field position;  ///< [m]
+  Field area;      ///< outward area vectors [m^(d-1)]; zero at inner points, which only complete the bodies
   std::vector<int> body;  ///< index of the body that a point belongs to
 
   Eigen::Index points() const { return position.cols(); }
@@ -36,10 +36,11 @@ struct Interface {
 
 /// What the solvers tell each other at the interface points: the solid fills the motion, the fluid the load.
 struct Surface {
-  Field displacement;    ///< [m] at the end of the solid's last window
-  Field velocity;        ///< [m/s] mean over the solid's last window
-  Field ramp_increment;  ///< [m] integral of velocity * (t - start) / size over the window; zero for held loads
-  Field force;           ///< [N] on the solid (per metre of width in two dimensions) = -pressure * area
+  Field displacement;  ///< [m] at the end of the solid's last window
+  Field velocity;      ///< [m/s] mean over the solid's last window
+  Field
+      ramp_increment;  ///< [m] integral of velocity * (t - start) / size over the window; zero for held loads
+  Field force;         ///< [N] on the solid (per metre of width in two dimensions) = -pressure * area
   Eigen::VectorXd pressure;  ///< [Pa]
 
   static Surface at_rest(int dimension, Eigen::Index points);
@@ -83,24 +84,25 @@ struct Array {
 /// The particles of a solver at one instant.
 using Snapshot = std::vector<Array>;
 
-/// A solver that can take part in a coupled run. Fluid, solids, the proxy over the wire and the mock of the tests
-/// implement it; the coupler knows nothing else.
-/// Legal order: initialize ( advance | save | restore | frame )* finalize.
-/// All calls throw Error or NumericalError where they cannot go on.
+/// A solver that can take part in a coupled run. Fluid, solids, the proxy over the wire and the mock of the
+/// tests implement it; the coupler knows nothing else. Legal order: initialize ( advance | save | restore |
+/// frame )* finalize. All calls throw Error or NumericalError where they cannot go on.
 class Participant {
  public:
   virtual ~Participant() = default;
 
   virtual Identity identity() const = 0;
 
-  /// Builds the initial state of a checked case. The fluid fills `interface`, the solid answers for its points.
-  /// Both leave `surface` at the start of the first window.
+  /// Builds the initial state of a checked case. The fluid fills `interface`, the solid answers for its
+  /// points. Both leave `surface` at the start of the first window.
   virtual Setup initialize(const v1::Case& the_case, Interface& interface, Surface& surface) = 0;
 
-  /// One window. The fluid reads the motion and fills the load; the solid reads the load and fills the motion.
+  /// One window. The fluid reads the motion and fills the load; the solid reads the load and fills the
+  /// motion.
   virtual Report advance(const Window& window, Surface& surface) = 0;
 
-  /// The complete state as bytes: restore(save()) continues bit for bit, also in another process of the same build.
+  /// The complete state as bytes: restore(save()) continues bit for bit, also in another process of the same
+  /// build.
   virtual std::string save() = 0;
   virtual void restore(const std::string& state) = 0;
 

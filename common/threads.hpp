@@ -4,10 +4,10 @@
 
 namespace cosurge {
 
-/// GOMP_SPINCOUNT, where the user has not set it: about a tenth of a millisecond of spinning before a thread falls
-/// asleep. It bridges the gaps between the loops of one solve (two threads were 0.6 times as fast as one without it, and
-/// 1.6 times with it) and is nothing against a window.
-inline constexpr const char* short_spin = "30000";
+/// GOMP_SPINCOUNT, where the user has not set it: some microseconds of spinning before a thread falls asleep.
+/// It bridges the gaps between the loops of one solve; a hundred times as much was ten times slower on a
+/// machine with other work.
+inline constexpr const char* short_spin = "300";
 
 /// OpenMP reads OMP_WAIT_POLICY once, before main: where it is not set, sets it to passive and starts this
 /// program anew in the same process. Call it first in main.

@@ -10,13 +10,15 @@ namespace {
 
 /// A_0 of the lattice point x: the faces of its cell that no material and no wall covers.
 template <int dim>
-Vec<dim> wet_faces(const Vec<dim>& x, const std::vector<Box<dim>>& covered, const Box<dim>& tank, double spacing) {
+Vec<dim> wet_faces(const Vec<dim>& x, const std::vector<Box<dim>>& covered, const Box<dim>& tank,
+                   double spacing) {
   Vec<dim> area = Vec<dim>::Zero();
   for (int axis = 0; axis < dim; ++axis) {
     for (const double side : {-1.0, 1.0}) {
       Vec<dim> across = x;
       across[axis] += side * spacing;
-      const bool dry = std::any_of(covered.begin(), covered.end(), [&](const Box<dim>& b) { return b.contains(across); });
+      const bool dry =
+          std::any_of(covered.begin(), covered.end(), [&](const Box<dim>& b) { return b.contains(across); });
       const bool walled = (axis < dim - 1 || side < 0) && !tank.contains(across);
       if (!dry && !walled) area[axis] += side;
     }
@@ -47,7 +49,8 @@ void Bodies<dim>::find_neighbors(double spacing) {
   neighbor_begin_ = {0};
   for (int k = 0; k < points(); ++k) {
     for (int j = 0; wet(k) && j < points(); ++j)
-      if (j != k && body_[j] == body_[k] && (position_[j] - position_[k]).norm() < reach) neighbor_.push_back(j);
+      if (j != k && body_[j] == body_[k] && (position_[j] - position_[k]).norm() < reach)
+        neighbor_.push_back(j);
     neighbor_begin_.push_back(static_cast<int>(neighbor_.size()));
   }
 }
@@ -75,7 +78,8 @@ std::vector<Vec<dim>> Bodies<dim>::deformed_areas(const Field& displacement) con
 
 template <int dim>
 Interface Bodies<dim>::interface() const {
-  Interface result{.dimension = dim, .position = Field(dim, points()), .area = Field(dim, points()), .body = body_};
+  Interface result{
+      .dimension = dim, .position = Field(dim, points()), .area = Field(dim, points()), .body = body_};
   for (int k = 0; k < points(); ++k) {
     result.position.col(k) = position_[k];
     result.area.col(k) = area_[k];

@@ -12,15 +12,16 @@ namespace cosurge::fluid {
 template <int dim>
 using CellIndex = Eigen::Matrix<int, dim, 1>;
 
-/// Square cells over a fixed domain, numbered with the first coordinate fastest. Particles are kept in the order of
-/// their cells, so that a run of cells along the first coordinate is one contiguous range of particles.
+/// Square cells over a fixed domain, numbered with the first coordinate fastest. Particles are kept in the
+/// order of their cells, so that a run of cells along the first coordinate is one contiguous range of
+/// particles.
 template <int dim>
 class CellGrid {
  public:
   CellGrid(const Box<dim>& domain, double cell_size);
 
-  /// Order of the points by cell, stable within a cell; points outside the domain are left out. Afterwards ranges
-  /// refer to places in this order.
+  /// Order of the points by cell, stable within a cell; points outside the domain are left out. Afterwards
+  /// ranges refer to places in this order.
   std::vector<std::int32_t> sort(const std::vector<Vec<dim>>& x);
 
   CellIndex<dim> cell_of(const Vec<dim>& x) const {
@@ -39,7 +40,8 @@ class CellGrid {
   const CellIndex<dim>& counts() const { return count_; }
   double cell_size() const { return size_; }
 
-  /// Calls visit(first, last) for each contiguous range of places in the cells within `reach` cells around `cell`.
+  /// Calls visit(first, last) for each contiguous range of places in the cells within `reach` cells around
+  /// `cell`.
   template <typename Visit>
   void ranges(const CellIndex<dim>& cell, int reach, Visit&& visit) const {
     CellIndex<dim> lower = (cell.array() - reach).max(0);

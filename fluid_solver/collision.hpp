@@ -10,11 +10,12 @@ struct CollisionLaw {
   double restitution;  ///< [-]
 };
 
-/// Velocity change of fluid particle i by eq. (7): each neighbour closer than `distance` that approaches it takes the
-/// share m_j / (m_i + m_j) of (1 + restitution) times the approach speed, along the line between them; walls and bodies
-/// are taken as infinitely heavy. Momentum between fluid particles is conserved.
+/// Velocity change of fluid particle i by eq. (7): each neighbour closer than `distance` that approaches it
+/// takes the share m_j / (m_i + m_j) of (1 + restitution) times the approach speed, along the line between
+/// them; walls and bodies are taken as infinitely heavy. Momentum between fluid particles is conserved.
 template <int dim>
-Vec<dim> collision(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i, const CollisionLaw& law) {
+Vec<dim> collision(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i,
+                   const CollisionLaw& law) {
   Vec<dim> change = Vec<dim>::Zero();
   neighbors.each(particles, i, [&](int j, const Vec<dim>& x_ij, double r) {
     if (r >= law.distance || r == 0) return;

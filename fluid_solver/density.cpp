@@ -24,7 +24,9 @@ void density_and_free_surface(Particles<dim>& particles, const Neighbors<dim>& n
   }
 }
 
-template void density_and_free_surface<2>(Particles<2>&, const Neighbors<2>&, double, const FreeSurfaceCriterion&);
-template void density_and_free_surface<3>(Particles<3>&, const Neighbors<3>&, double, const FreeSurfaceCriterion&);
+template void density_and_free_surface<2>(Particles<2>&, const Neighbors<2>&, double,
+                                          const FreeSurfaceCriterion&);
+template void density_and_free_surface<3>(Particles<3>&, const Neighbors<3>&, double,
+                                          const FreeSurfaceCriterion&);
 
 }  // namespace cosurge::fluid

@@ -12,9 +12,9 @@ struct FreeSurfaceCriterion {
   double delta;  ///< centroid deviation [m]
 };
 
-/// Number density n_i = sum of w(r_ij), eq. (2), of every particle with a pressure, and its free-surface flag by
-/// eqs. (4) and (5): n_i < beta n0 and |sum w x_ij| / sum w > delta. Particles with at most `few` neighbours are always
-/// free surface. All kinds count as neighbours.
+/// Number density n_i = sum of w(r_ij), eq. (2), of every particle with a pressure, and its free-surface flag
+/// by eqs. (4) and (5): n_i < beta n0 and |sum w x_ij| / sum w > delta. Particles with at most `few`
+/// neighbours are always free surface. All kinds count as neighbours.
 template <int dim>
 void density_and_free_surface(Particles<dim>& particles, const Neighbors<dim>& neighbors, double n0,
                               const FreeSurfaceCriterion& criterion);

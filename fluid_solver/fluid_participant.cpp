@@ -51,7 +51,8 @@ class FluidParticipant::SceneOf : public Scene {
     for (const v1::Probe& probe : case_.output().probe()) {
       if (probe.quantity() != v1::Probe::pressure) continue;
       setup.columns.push_back({probe.name(), "Pa"});
-      probes_.emplace_back(probe.name(), Eigen::Map<const Vec<dim>>(probe.position().data()), interface, spacing());
+      probes_.emplace_back(probe.name(), Eigen::Map<const Vec<dim>>(probe.position().data()), interface,
+                           spacing());
     }
     return setup;
   }
@@ -134,7 +135,9 @@ Setup FluidParticipant::initialize(const v1::Case& the_case, Interface& interfac
   return scene_->describe(interface, surface);
 }
 
-Report FluidParticipant::advance(const Window& window, Surface& surface) { return scene_->advance(window, surface); }
+Report FluidParticipant::advance(const Window& window, Surface& surface) {
+  return scene_->advance(window, surface);
+}
 std::string FluidParticipant::save() { return scene_->save(); }
 void FluidParticipant::restore(const std::string& state) { scene_->restore(state); }
 Snapshot FluidParticipant::frame() { return scene_->frame(); }

@@ -13,7 +13,8 @@ SurfacePressureProbe<dim>::SurfacePressureProbe(const std::string& name, const V
     const Vec<dim> area = interface.area.col(k);
     const Vec<dim> way = interface.position.col(k) - position;
     for (int axis = 0; axis < dim; ++axis) {
-      // The point must lie on this face of the particle: half a spacing from its centre along the outward normal.
+      // The point must lie on this face of the particle: half a spacing from its centre along the outward
+      // normal.
       const double side = area[axis] > 0 ? -0.5 : 0.5;
       if (area[axis] == 0 || std::abs(way[axis] - side * spacing) > 0.01 * spacing) continue;
       double weight = 1;
@@ -40,8 +41,8 @@ WaterState survey_water(const Mps<dim>& mps, double particle_mass, double spacin
   const auto is_fluid = [&](int i) { return particles.kind[i] == Kind::fluid; };
   WaterState state;
   state.kinetic_energy = 0.5 * particle_mass * ordered_sum(particles.size(), [&](int i) {
-    return is_fluid(i) ? particles.u[i].squaredNorm() : 0.0;
-  });
+                           return is_fluid(i) ? particles.u[i].squaredNorm() : 0.0;
+                         });
   state.gravity_energy = -particle_mass * ordered_sum(particles.size(), [&](int i) {
     return is_fluid(i) ? gravity.dot(particles.x[i]) : 0.0;
   });
@@ -49,7 +50,8 @@ WaterState survey_water(const Mps<dim>& mps, double particle_mass, double spacin
   for (int i = 0; i < particles.size(); ++i) {
     if (!is_fluid(i) || particles.x[i][0] <= state.front) continue;
     int touching = 0;
-    mps.neighbors().each(particles, i, [&](int j, const Vec<dim>&, double) { touching += is_fluid(j) ? 1 : 0; });
+    mps.neighbors().each(particles, i,
+                         [&](int j, const Vec<dim>&, double) { touching += is_fluid(j) ? 1 : 0; });
     if (touching >= dim) state.front = particles.x[i][0] + 0.5 * spacing;
   }
   for (int i = 0; i < particles.size(); ++i) {

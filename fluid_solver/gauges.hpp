@@ -5,13 +5,14 @@
 
 namespace cosurge::fluid {
 
-/// Pressure at a point of a body's wet surface: linear interpolation along the face between the centres of the surface
-/// particles next to it in the reference configuration.
+/// Pressure at a point of a body's wet surface: linear interpolation along the face between the centres of
+/// the surface particles next to it in the reference configuration.
 template <int dim>
 class SurfacePressureProbe {
  public:
   /// @throws Error when no wet face lies within a spacing of `position` [m].
-  SurfacePressureProbe(const std::string& name, const Vec<dim>& position, const Interface& interface, double spacing);
+  SurfacePressureProbe(const std::string& name, const Vec<dim>& position, const Interface& interface,
+                       double spacing);
 
   /// [Pa], from the pressure at each interface point.
   double read(const Eigen::VectorXd& pressure) const;

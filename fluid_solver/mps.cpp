@@ -13,8 +13,9 @@
 namespace cosurge::fluid {
 namespace {
 
-constexpr int loose = 3;             // neighbours up to which a particle flies freely and no longer limits the step
-constexpr double free_flight = 0.5;  // of l0 that such a particle may fly in a step: it must not pass a wall unseen
+constexpr int loose = 3;  // neighbours up to which a particle flies freely and no longer limits the step
+constexpr double free_flight =
+    0.5;  // of l0 that such a particle may fly in a step: it must not pass a wall unseen
 
 /// Layers behind the wall: as many as complete the Laplacian of a particle in the wall.
 int dummy_layers(const v1::Fluid& fluid) { return static_cast<int>(std::ceil(fluid.re_laplacian())) - 1; }
@@ -36,7 +37,8 @@ Mps<dim>::Mps(const v1::Fluid& fluid, const v1::Solid* solid, const Vec<dim>& gr
       gravity_(gravity),
       reference_(reference_values<dim>(fluid.re_gradient() * fluid.spacing(), fluid.spacing())),
       tank_(fluid.tank()),
-      neighbors_(tank_domain<dim>(tank_, dummy_layers(fluid), fluid.spacing()), fluid.re_gradient() * fluid.spacing()),
+      neighbors_(tank_domain<dim>(tank_, dummy_layers(fluid), fluid.spacing()),
+                 fluid.re_gradient() * fluid.spacing()),
       poisson_(poisson_parameters<dim>(fluid, gravity)),
       preconditioner_(make_preconditioner(fluid.pressure())) {
   for (const v1::Box& water : fluid.water())
@@ -58,14 +60,14 @@ Mps<dim>::Mps(const v1::Fluid& fluid, const v1::Solid* solid, const Vec<dim>& gr
 
 template <int dim>
 StepReport Mps<dim>::step(double start, double dt) {
-  predict(dt);              // u* = u + dt g, x* = x + dt u*
+  predict(dt);  // u* = u + dt g, x* = x + dt u*
   search_neighbors();
   diffuse_and_collide(dt);  // u* += dt nu lap u*, and collisions
   density_and_free_surface(particles_, neighbors_, reference_.n0,
                            {.beta = parameters_.free_surface().beta(),
                             .delta = parameters_.free_surface().delta() * parameters_.spacing()});
   const SolveReport pressure = solve_pressure(start, dt);
-  correct(dt);              // u = u* - dt / rho grad p, x = x* + dt (u - u*)
+  correct(dt);  // u = u* - dt / rho grad p, x = x* + dt (u - u*)
   StepReport report = survey(start + dt);
   report.pressure = pressure;
   clock_.leave();
@@ -113,7 +115,8 @@ void Mps<dim>::search_neighbors() {
   allowed.max[dim - 1] = std::numeric_limits<double>::max();  // the domain bounds the open top
   const Vec<dim> outside = Vec<dim>::Constant(tank_.max.maxCoeff() + 1e3 * parameters_.spacing());
   for (int i = 0; i < particles_.size(); ++i)
-    if (particles_.kind[i] == Kind::fluid && !allowed.contains(particles_.x[i])) particles_.x[i] = 10 * outside;
+    if (particles_.kind[i] == Kind::fluid && !allowed.contains(particles_.x[i]))
+      particles_.x[i] = 10 * outside;
   neighbors_.rebuild(particles_);
   locate_bodies();
 }
@@ -129,9 +132,10 @@ void Mps<dim>::locate_bodies() {
     if (!body_areas_.empty()) areas_[i] = body_areas_[point];
   }
   if (const auto gone = std::count(body_place_.begin(), body_place_.end(), -1); gone > 0)
-    throw NumericalError(fmt::format("{} of {} points of the bodies have left the fluid's domain: the solid has blown "
-                                     "up, or fluid.tank is too small",
-                                     gone, bodies_.points()));
+    throw NumericalError(
+        fmt::format("{} of {} points of the bodies have left the fluid's domain: the solid has blown "
+                    "up, or fluid.tank is too small",
+                    gone, bodies_.points()));
 }
 
 template <int dim>
@@ -146,12 +150,15 @@ void Mps<dim>::diffuse_and_collide(double dt) {
     if (particles_.kind[i] != Kind::fluid) continue;
     change_[i] = collision(particles_, neighbors_, i, law);
     if (nu > 0)
-      change_[i] += dt * nu * velocity_laplacian(particles_, neighbors_, i, reference_.n0, reference_.lambda0);
+      change_[i] +=
+          dt * nu * velocity_laplacian(particles_, neighbors_, i, reference_.n0, reference_.lambda0);
   }
   for (int i = 0; i < particles_.size(); ++i) particles_.u[i] += change_[i];
 }
 
-/// Right-hand side S of the pressure equation for each particle, by the case's choice.
+/// Right-hand side S of the pressure equation for each particle, by the case's choice. But for the paper's
+/// source, the deviation counts for the water only: a wall cannot move to mend its own, and would keep a
+/// pressure for it.
 template <int dim>
 void Mps<dim>::set_source(double dt) {
   const double rate = std::min(parameters_.propagation_speed() / parameters_.spacing(), 1 / dt);
@@ -166,16 +173,17 @@ void Mps<dim>::set_source(double dt) {
     }
     return 0.0;
   };
-  const bool needs_divergence = parameters_.source() != v1::Fluid::deviation;
+  const bool paper = parameters_.source() == v1::Fluid::deviation;
   const Vec<dim> kick = dt * gravity_;
   source_.resize(static_cast<std::size_t>(particles_.size()));
 #pragma omp parallel for schedule(dynamic, Rows::chunk)
   for (int i = 0; i < particles_.size(); ++i) {
     if (!has_pressure(particles_.kind[i]) || particles_.free_surface[i] != 0) continue;
-    source_[i] = source({.density = parameters_.density(),
-                         .dt = dt,
-                         .deviation = (particles_.n[i] - reference_.n0) / reference_.n0,
-                         .divergence = needs_divergence ? divergence(particles_, neighbors_, i, reference_.n0, kick) : 0});
+    source_[i] = source(
+        {.density = parameters_.density(),
+         .dt = dt,
+         .deviation = paper || particles_.kind[i] == Kind::fluid ? particles_.n[i] / reference_.n0 - 1 : 0,
+         .divergence = paper ? 0 : divergence(particles_, neighbors_, i, reference_.n0, kick)});
   }
 }
 
@@ -192,13 +200,14 @@ SolveReport Mps<dim>::solve_pressure(double start, double dt) {
   SolveReport report;
   if (!unknowns.empty()) {
     preconditioner_->set_up(poisson_.matrix(), poisson_.cells());
-    report = conjugate_gradient(poisson_.matrix(), poisson_.right_hand_side(), *preconditioner_, choice.tolerance(),
-                                choice.max_iterations(), pressure_);
+    report = conjugate_gradient(poisson_.matrix(), poisson_.right_hand_side(), *preconditioner_,
+                                choice.tolerance(), choice.max_iterations(), pressure_);
   }
   if (!report.converged)
-    throw NumericalError(fmt::format("pressure: residual {:.2e} > {:.2e} after {} iterations at t = {:.6g} s; raise "
-                                     "fluid.pressure.max_iterations or lower time.window",
-                                     report.relative_residual, choice.tolerance(), report.iterations, start));
+    throw NumericalError(
+        fmt::format("pressure: residual {:.2e} > {:.2e} after {} iterations at t = {:.6g} s; raise "
+                    "fluid.pressure.max_iterations or lower time.window",
+                    report.relative_residual, choice.tolerance(), report.iterations, start));
   std::fill(particles_.p.begin(), particles_.p.end(), 0.0);
   for (std::size_t k = 0; k < unknowns.size(); ++k) particles_.p[unknowns[k]] = std::max(0.0, pressure_[k]);
   return report;
@@ -228,7 +237,7 @@ void Mps<dim>::correct(double dt) {
 /// Speeds, the next step that they allow, and the bounds of what is physical.
 template <int dim>
 StepReport Mps<dim>::survey(double end) {
-  double fastest = 0;          // of all
+  double fastest = 0;                      // of all
   double fastest_bound = max_body_speed_;  // of those with enough neighbours to feel and make pressures
   int which = -1;
   for (int i = 0; i < particles_.size(); ++i) {
@@ -240,7 +249,8 @@ StepReport Mps<dim>::survey(double end) {
   }
   if (!(fastest <= speed_bound_)) {
     throw NumericalError(fmt::format(
-        "fluid particle {} at ({:.4g}, {:.4g}) moves at {:.4g} m/s at t = {:.6g} s, beyond any physical bound "
+        "fluid particle {} at ({:.4g}, {:.4g}) moves at {:.4g} m/s at t = {:.6g} s, beyond any physical "
+        "bound "
         "({:.4g} m/s): the pressure has blown up; lower time.window or fluid.courant",
         particles_.id[which], particles_.x[which][0], particles_.x[which][1], fastest, end, speed_bound_));
   }

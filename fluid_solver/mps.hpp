@@ -18,8 +18,8 @@ enum Phase : std::size_t { predicting, searching, evaluating, assembling, solvin
 /// What one step says of itself.
 struct StepReport {
   SolveReport pressure;
-  double max_speed = 0;     ///< of all fluid particles [m/s]
-  double max_window = 0;    ///< largest next step [s]: eq. (17)
+  double max_speed = 0;   ///< of all fluid particles [m/s]
+  double max_window = 0;  ///< largest next step [s]: eq. (17)
 };
 
 template <int dim>
@@ -29,8 +29,8 @@ class Mps {
   Mps(const v1::Fluid& fluid, const v1::Solid* solid, const Vec<dim>& gravity);
 
   /// One step of `dt` [s] with the bodies where move_bodies() put them.
-  /// @throws NumericalError when the pressure does not converge, a particle leaves all physical bounds, or the water
-  /// collapses; the message names time, particle, cause and remedy.
+  /// @throws NumericalError when the pressure does not converge, a particle leaves all physical bounds, or
+  /// the water collapses; the message names time, particle, cause and remedy.
   StepReport step(double start, double dt);
 
   /// Puts the bodies' points to their displaced positions; both dimension x points [m], [m/s].
@@ -46,7 +46,7 @@ class Mps {
   double n0() const { return reference_.n0; }
   const PhaseClock<phase_count>& clock() const { return clock_; }
   int unknowns() const { return poisson_.matrix().size(); }
-  std::int64_t matrix_entries() const { return poisson_.matrix().rows.entries(); }
+  std::int64_t matrix_entries() const { return poisson_.matrix().entries(); }
 
   std::string save() const;
   void restore(const std::string& state);
@@ -73,16 +73,16 @@ class Mps {
   std::unique_ptr<Preconditioner> preconditioner_;
   PhaseClock<phase_count> clock_;
 
-  double speed_bound_ = 0;     // [m/s]
+  double speed_bound_ = 0;  // [m/s]
   double max_body_speed_ = 0;
   int first_body_id_ = 0;
-  std::vector<Vec<dim>> body_areas_;       // A of each body point, deformed
-  std::vector<std::int32_t> body_place_;   // of each body point among the particles
-  std::vector<Vec<dim>> areas_;            // A by place, for the pressure equation
-  std::vector<Vec<dim>> change_;           // of the velocity since the prediction, by place
-  std::vector<Vec<dim>> push_;             // of the pressure on the velocity, by place
-  std::vector<double> source_;             // of the pressure equation, by place
-  std::vector<double> pressure_;           // of the unknowns
+  std::vector<Vec<dim>> body_areas_;      // A of each body point, deformed
+  std::vector<std::int32_t> body_place_;  // of each body point among the particles
+  std::vector<Vec<dim>> areas_;           // A by place, for the pressure equation
+  std::vector<Vec<dim>> change_;          // of the velocity since the prediction, by place
+  std::vector<Vec<dim>> push_;            // of the pressure on the velocity, by place
+  std::vector<double> source_;            // of the pressure equation, by place
+  std::vector<double> pressure_;          // of the unknowns
 };
 
 }  // namespace cosurge::fluid

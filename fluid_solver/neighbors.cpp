@@ -5,7 +5,9 @@
 namespace cosurge::fluid {
 namespace {
 
-constexpr int expected_neighbors(int dim) { return dim == 2 ? 20 : 50; }  // 12 and 32 on the lattice, and disorder
+constexpr int expected_neighbors(int dim) {
+  return dim == 2 ? 20 : 50;
+}  // 12 and 32 on the lattice, and disorder
 
 template <int dim>
 void check_crowding(const CellGrid<dim>& grid, const Particles<dim>& particles) {
@@ -14,9 +16,10 @@ void check_crowding(const CellGrid<dim>& grid, const Particles<dim>& particles) 
   for (int c = 0; c < grid.cells(); ++c) {
     if (grid.population(c) <= most) continue;
     const Vec<dim> x = particles.x[static_cast<std::size_t>(grid.first(c))];
-    throw NumericalError(fmt::format("{} particles lie in one cell of the neighbour search, at ({:.4g}, {:.4g}): the "
-                                     "water has collapsed there; use a smaller window or a smaller compressibility",
-                                     grid.population(c), x[0], x[1]));
+    throw NumericalError(
+        fmt::format("{} particles lie in one cell of the neighbour search, at ({:.4g}, {:.4g}): the "
+                    "water has collapsed there; use a smaller window or a smaller compressibility",
+                    grid.population(c), x[0], x[1]));
   }
 }
 
@@ -35,7 +38,8 @@ void Neighbors<dim>::rebuild(Particles<dim>& particles) {
     grid_.ranges(grid_.cell_of(x[i]), 1, [&](std::int32_t first, std::int32_t last) {
       for (std::int32_t j = first; j < last; ++j) {
         entries[count] = j;
-        count += static_cast<std::int64_t>((x[j] - x[i]).squaredNorm() < re2) & static_cast<std::int64_t>(j != i);
+        count +=
+            static_cast<std::int64_t>((x[j] - x[i]).squaredNorm() < re2) & static_cast<std::int64_t>(j != i);
       }
     });
     return count;

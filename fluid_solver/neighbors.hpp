@@ -7,8 +7,8 @@
 
 namespace cosurge::fluid {
 
-/// For each particle with a pressure, the particles within r_e in ascending place, itself left out. Cells are r_e wide
-/// and shared with the pressure equation.
+/// For each particle with a pressure, the particles within r_e in ascending place, itself left out. Cells are
+/// r_e wide and shared with the pressure equation.
 template <int dim>
 class Neighbors {
  public:

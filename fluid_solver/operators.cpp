@@ -6,7 +6,8 @@ namespace cosurge::fluid {
 
 template <int dim>
 Vec<dim> gradient_p_min(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i, double n0) {
-  // One pass: sum (P_j - P_min) c_j = sum P_j c_j - P_min sum c_j with c_j = w x_ij / r^2, taken relative to P_i.
+  // One pass: sum (P_j - P_min) c_j = sum P_j c_j - P_min sum c_j with c_j = w x_ij / r^2, taken relative to
+  // P_i.
   const double p_i = particles.p[i];
   double p_min = 0;
   Vec<dim> sum = Vec<dim>::Zero();
@@ -23,12 +24,13 @@ Vec<dim> gradient_p_min(const Particles<dim>& particles, const Neighbors<dim>& n
 }
 
 template <int dim>
-Vec<dim> gradient_conserving(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i, double n0,
-                             const Vec<dim>& rho_g) {
+Vec<dim> gradient_conserving(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i,
+                             double n0, const Vec<dim>& rho_g) {
   const double p_i = particles.p[i];
   Vec<dim> sum = Vec<dim>::Zero();
   neighbors.each(particles, i, [&](int j, const Vec<dim>& x_ij, double r) {
-    const double p_j = has_pressure(particles.kind[j]) ? particles.p[j] : std::max(0.0, p_i + rho_g.dot(x_ij));
+    const double p_j =
+        has_pressure(particles.kind[j]) ? particles.p[j] : std::max(0.0, p_i + rho_g.dot(x_ij));
     sum += (p_j + p_i) * weight(r, neighbors.re()) / (r * r) * x_ij;
   });
   return dim / n0 * sum;
@@ -47,8 +49,8 @@ double divergence(const Particles<dim>& particles, const Neighbors<dim>& neighbo
 }
 
 template <int dim>
-Vec<dim> velocity_laplacian(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i, double n0,
-                            double lambda0) {
+Vec<dim> velocity_laplacian(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i,
+                            double n0, double lambda0) {
   Vec<dim> sum = Vec<dim>::Zero();
   neighbors.each(particles, i, [&](int j, const Vec<dim>&, double r) {
     sum += weight(r, neighbors.re()) * (particles.u[j] - particles.u[i]);

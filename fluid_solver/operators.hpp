@@ -5,28 +5,31 @@
 
 namespace cosurge::fluid {
 
-/// Pressure gradient of particle i, eq. (9): (d / n0) sum of (P_j - P_min) x_ij / r^2 w over neighbours with a pressure,
-/// P_min the smallest pressure of i and those neighbours (Koshizuka & Oka 1996). Pushes particles apart only.
+/// Pressure gradient of particle i, eq. (9): (d / n0) sum of (P_j - P_min) x_ij / r^2 w over neighbours with
+/// a pressure, P_min the smallest pressure of i and those neighbours (Koshizuka & Oka 1996). Pushes particles
+/// apart only.
 template <int dim>
 Vec<dim> gradient_p_min(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i, double n0);
 
-/// Pressure gradient of particle i, eq. (9b): (d / n0) sum of (P_j + P_i) x_ij / r^2 w. Equal and opposite within every
-/// pair, so that momentum is conserved, and pressure evens out the particles as it should. Dummies and inner points of
-/// bodies stand for P_j = P_i + rho g . x_ij; `rho_g` [N/m3].
+/// Pressure gradient of particle i, eq. (9b): (d / n0) sum of (P_j + P_i) x_ij / r^2 w. Equal and opposite
+/// within every pair, so that momentum is conserved, and pressure evens out the particles as it should.
+/// Dummies and inner points of bodies stand for P_j = P_i + rho g . x_ij; `rho_g` [N/m3].
 template <int dim>
-Vec<dim> gradient_conserving(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i, double n0,
-                             const Vec<dim>& rho_g);
+Vec<dim> gradient_conserving(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i,
+                             double n0, const Vec<dim>& rho_g);
 
-/// Velocity divergence at particle i, eq. (10): (d / n0) sum of (u_j - u_i) . x_ij / r^2 w over all neighbours. `kick`
-/// [m/s] is added to the velocity of walls and bodies: what gravity has given the water in the prediction. The Neumann
-/// condition of eq. (11) takes it back from both; without it the source would count the weight of the water once more.
+/// Velocity divergence at particle i, eq. (10): (d / n0) sum of (u_j - u_i) . x_ij / r^2 w over all
+/// neighbours. `kick` [m/s] is added to the velocity of walls and bodies: what gravity has given the water in
+/// the prediction. The Neumann condition of eq. (11) takes it back from both; without it the source would
+/// count the weight of the water once more.
 template <int dim>
 double divergence(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i, double n0,
                   const Vec<dim>& kick);
 
-/// Laplacian of the velocity at particle i, eq. (8): (2 d / (lambda0 n0)) sum of (u_j - u_i) w over all neighbours.
+/// Laplacian of the velocity at particle i, eq. (8): (2 d / (lambda0 n0)) sum of (u_j - u_i) w over all
+/// neighbours.
 template <int dim>
-Vec<dim> velocity_laplacian(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i, double n0,
-                            double lambda0);
+Vec<dim> velocity_laplacian(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i,
+                            double n0, double lambda0);
 
 }  // namespace cosurge::fluid

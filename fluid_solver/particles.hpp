@@ -21,10 +21,10 @@ constexpr bool has_pressure(Kind kind) { return kind != Kind::dummy && kind != K
 
 template <int dim>
 struct Particles {
-  std::vector<Vec<dim>> x;       ///< position [m]
-  std::vector<Vec<dim>> u;       ///< velocity [m/s]
-  std::vector<double> p;         ///< pressure [Pa]
-  std::vector<double> n;         ///< number density [-], of those with pressure
+  std::vector<Vec<dim>> x;  ///< position [m]
+  std::vector<Vec<dim>> u;  ///< velocity [m/s]
+  std::vector<double> p;    ///< pressure [Pa]
+  std::vector<double> n;    ///< number density [-], of those with pressure
   std::vector<Kind> kind;
   std::vector<std::int32_t> id;  ///< place in the initial order, for ever
   std::vector<std::uint8_t> free_surface;

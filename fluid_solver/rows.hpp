@@ -13,15 +13,16 @@ namespace cosurge::fluid {
 /// Most entries that one row may have, and candidates that it may look at.
 constexpr int most_entries(int dim) { return dim == 2 ? 4096 : 32768; }
 
-/// The row structure of neighbour lists and sparse matrices. Rows of a chunk lie one behind the other; each chunk has
-/// a stretch of its own, so that chunks are filled independently and the result does not depend on the threads.
+/// The row structure of neighbour lists and sparse matrices. Rows of a chunk lie one behind the other; each
+/// chunk has a stretch of its own, so that chunks are filled independently and the result does not depend on
+/// the threads.
 class Rows {
  public:
   static constexpr int chunk = 256;
 
-  /// Fills all rows: fill(row, place) writes the entries of `row` from `place` on and returns how many there are.
-  /// `prepare(capacity)` makes room for so many entries. A row may touch `most` entries; `expected` are there on
-  /// average, and where a chunk does not hold its rows everything is filled again with more room.
+  /// Fills all rows: fill(row, place) writes the entries of `row` from `place` on and returns how many there
+  /// are. `prepare(capacity)` makes room for so many entries. A row may touch `most` entries; `expected` are
+  /// there on average, and where a chunk does not hold its rows everything is filled again with more room.
   template <typename Prepare, typename Fill>
   void fill(int rows, int expected, int most, Prepare&& prepare, Fill&& fill_row) {
     begin_.resize(static_cast<std::size_t>(rows));

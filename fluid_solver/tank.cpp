@@ -10,7 +10,8 @@ void add_tank(Particles<dim>& particles, const Box<dim>& tank, int dummy_layers,
   outer.max.template head<dim - 1>().array() += thickness;
   for (const Vec<dim>& x : fill(outer, spacing)) {
     if (tank.contains(x)) continue;
-    const double depth = std::max((tank.min - x).maxCoeff(), (x - tank.max).template head<dim - 1>().maxCoeff());
+    const double depth =
+        std::max((tank.min - x).maxCoeff(), (x - tank.max).template head<dim - 1>().maxCoeff());
     particles.add(depth < spacing ? Kind::wall : Kind::dummy, x);
   }
 }

@@ -6,8 +6,8 @@
 
 namespace cosurge::fluid {
 
-/// Adds wall and dummy particles around `tank`: floor and side walls, one layer with pressure and `dummy_layers` behind
-/// it, corners filled; open at the top (the last coordinate).
+/// Adds wall and dummy particles around `tank`: floor and side walls, one layer with pressure and
+/// `dummy_layers` behind it, corners filled; open at the top (the last coordinate).
 template <int dim>
 void add_tank(Particles<dim>& particles, const Box<dim>& tank, int dummy_layers, double spacing);
 

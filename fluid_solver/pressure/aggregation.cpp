@@ -11,7 +11,7 @@ namespace {
 
 using Cell = std::array<int, 3>;
 
-constexpr int reach = 2;              // cells to each side that a row can touch: r_e of the Laplacian over the cell size
+constexpr int reach = 2;  // cells to each side that a row can touch: r_e of the Laplacian over the cell size
 constexpr int side = 2 * reach + 1;
 constexpr int stencil = side * side * side;
 
@@ -58,7 +58,8 @@ void Aggregation::set_up(const Matrix& A, const CellsOfUnknowns& cells) {
   const auto size = static_cast<std::size_t>(A.size());
   inverse_diagonal_.resize(size);
   for (std::size_t i = 0; i < size; ++i) inverse_diagonal_[i] = static_cast<float>(1.0 / A.diagonal[i]);
-  for (auto* v : {&r_, &x_, &t_}) v->resize(size);
+  for (auto* v : {&r_, &x_}) v->resize(size);
+  first_ = cells.first;
   coarse_.clear();
   first_level(A, cells);
   while (coarse_.back().size() > directly) {
@@ -82,18 +83,22 @@ void Aggregation::first_level(const Matrix& A, const CellsOfUnknowns& cells) {
   RowSum row;
   for (int a = 0; a < aggregates; ++a) {
     double diagonal = 0;
-    float inner = 0;
+    int b = -1;  // aggregate of the last column, and where it stands: columns come aggregate by aggregate
+    int at = 0;
     for (int i = cells.first[a]; i < cells.first[a + 1]; ++i) {
       diagonal += A.diagonal[i];
-      for (std::int64_t k = A.rows.begin(i); k < A.rows.end(i); ++k) {
-        const int b = level.aggregate[A.column[k]];
+      A.each(i, [&](int column, float w) {
+        if (level.aggregate[column] != b) {
+          b = level.aggregate[column];
+          at = offset(level.cell[a], level.cell[b]);
+        }
         if (b == a)
-          inner += A.weight[k];
+          diagonal -= static_cast<double>(w);
         else
-          row.add(offset(level.cell[a], level.cell[b]), b, A.weight[k]);
-      }
+          row.add(at, b, w);
+      });
     }
-    level.diagonal.push_back(static_cast<float>(diagonal - inner));
+    level.diagonal.push_back(static_cast<float>(diagonal));
     row.flush(level);
   }
   coarse_.push_back(std::move(level));
@@ -149,7 +154,8 @@ void Aggregation::cycle(std::size_t depth) {
   Level& level = coarse_[depth];
   const int size = level.size();
   if (depth + 1 == coarse_.size()) {
-    Eigen::Map<Eigen::VectorXf>(level.x.data(), size) = direct_.solve(Eigen::Map<Eigen::VectorXf>(level.r.data(), size));
+    Eigen::Map<Eigen::VectorXf>(level.x.data(), size) =
+        direct_.solve(Eigen::Map<Eigen::VectorXf>(level.r.data(), size));
     return;
   }
   const auto coupled = [&](int i, const std::vector<float>& x) {
@@ -178,10 +184,14 @@ void Aggregation::apply(const std::vector<double>& r, std::vector<double>& z) {
     x_[i] = damping * inverse_diagonal_[i] * r_[i];
   }
 #pragma omp parallel for schedule(static) if (size >= parallel_from)
-  for (int i = 0; i < size; ++i) t_[i] = r_[i] - x_[i] / inverse_diagonal_[i] + A_->off_diagonal(i, x_.data());
-  std::fill(next.r.begin(), next.r.end(), 0.0F);
-  for (int i = 0; i < size; ++i) next.r[next.aggregate[i]] += t_[i];
+  for (int a = 0; a < next.size(); ++a) {
+    float sum = 0;
+    for (int i = first_[a]; i < first_[a + 1]; ++i)
+      sum += (1 - damping) * r_[i] + A_->off_diagonal(i, x_.data());  // the residual after the sweep
+    next.r[a] = sum;
+  }
   cycle(0);
+#pragma omp parallel for schedule(static) if (size >= parallel_from)
   for (int i = 0; i < size; ++i) x_[i] += correction * next.x[next.aggregate[i]];
 #pragma omp parallel for schedule(static) if (size >= parallel_from)
   for (int i = 0; i < size; ++i)

@@ -11,7 +11,8 @@ double dot(const std::vector<double>& a, const std::vector<double>& b) {
 }
 
 /// r = b - A x.
-void residual(const Matrix& A, const std::vector<double>& b, const std::vector<double>& x, std::vector<double>& r) {
+void residual(const Matrix& A, const std::vector<double>& b, const std::vector<double>& x,
+              std::vector<double>& r) {
   multiply(A, x, r);
   for (int i = 0; i < A.size(); ++i) r[i] = b[i] - r[i];
 }
@@ -23,8 +24,8 @@ void multiply(const Matrix& A, const std::vector<double>& x, std::vector<double>
   for (int i = 0; i < A.size(); ++i) y[i] = A.diagonal[i] * x[i] - A.off_diagonal(i, x.data());
 }
 
-SolveReport conjugate_gradient(const Matrix& A, const std::vector<double>& b, Preconditioner& M, double tolerance,
-                               int max_iterations, std::vector<double>& x) {
+SolveReport conjugate_gradient(const Matrix& A, const std::vector<double>& b, Preconditioner& M,
+                               double tolerance, int max_iterations, std::vector<double>& x) {
   const int size = A.size();
   const double target = tolerance * std::sqrt(dot(b, b));
   if (target == 0) {
@@ -45,15 +46,20 @@ SolveReport conjugate_gradient(const Matrix& A, const std::vector<double>& b, Pr
     fresh = false;
 #pragma omp parallel for simd schedule(static) if (size >= parallel_from)
     for (int i = 0; i < size; ++i) p[i] = z[i] + beta * p[i];
-    multiply(A, p, q);
-    const double alpha = rho / dot(p, q);
+    const double alpha = rho / ordered_block_sum(size, [&](int begin, int end) {
+                           double sum = 0;
+                           for (int i = begin; i < end; ++i) {
+                             q[i] = A.diagonal[i] * p[i] - A.off_diagonal(i, p.data());
+                             sum += p[i] * q[i];
+                           }
+                           return sum;
+                         });
     if (!std::isfinite(alpha)) break;
-#pragma omp parallel for simd schedule(static) if (size >= parallel_from)
-    for (int i = 0; i < size; ++i) {
+    norm = std::sqrt(ordered_sum(size, [&](int i) {
       x[i] += alpha * p[i];
       r[i] -= alpha * q[i];
-    }
-    norm = std::sqrt(dot(r, r));
+      return r[i] * r[i];
+    }));
     ++report.iterations;
     if (norm > target) continue;
     residual(A, b, x, r);  // the recurrence may have drifted: go on from the true residual

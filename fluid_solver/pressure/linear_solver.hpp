@@ -17,7 +17,7 @@ struct [[nodiscard]] SolveReport {
 
 /// The groups of unknowns that the neighbour search already has: unknowns are numbered by cell.
 struct CellsOfUnknowns {
-  std::vector<std::int32_t> first;  ///< first unknown of each cell that has any, and the end
+  std::vector<std::int32_t> first;       ///< first unknown of each cell that has any, and the end
   std::vector<std::array<int, 3>> cell;  ///< coordinates of those cells
 };
 
@@ -31,9 +31,10 @@ class Preconditioner {
 
 std::unique_ptr<Preconditioner> make_preconditioner(const v1::Pressure& choice);
 
-/// Preconditioned conjugate gradients (Barrett et al. 1994, Templates, fig. 2.5) from the start value in x, until
+/// Preconditioned conjugate gradients (Barrett et al. 1994, Templates, fig. 2.5) from the start value in x,
+/// until
 /// ||b - A x|| <= tolerance ||b||. The residual is recomputed before success is reported.
-SolveReport conjugate_gradient(const Matrix& A, const std::vector<double>& b, Preconditioner& M, double tolerance,
-                               int max_iterations, std::vector<double>& x);
+SolveReport conjugate_gradient(const Matrix& A, const std::vector<double>& b, Preconditioner& M,
+                               double tolerance, int max_iterations, std::vector<double>& x);
 
 }  // namespace cosurge::fluid

@@ -16,17 +16,17 @@ struct PoissonParameters {
   Vec<dim> gravity;        ///< [m/s2]
 };
 
-/// Eq. (11): (2 d / (lambda0 n0)) sum (P_j - P_i) w - alpha rho / dt^2 P_i = S_i for every particle with a pressure that
-/// is not free surface (P = 0 there). Times -lambda0 n0 / (2 d) it is a symmetric M-matrix. Dummies and inner points
-/// of bodies stand for P_j = P_i + rho g . x_ij: the Neumann condition of a wall at rest. So do pairs that see each
-/// other through a body.
+/// Eq. (11): (2 d / (lambda0 n0)) sum (P_j - P_i) w - alpha rho / dt^2 P_i = S_i for every particle with a
+/// pressure that is not free surface (P = 0 there). Times -lambda0 n0 / (2 d) it is a symmetric M-matrix.
+/// Dummies and inner points of bodies stand for P_j = P_i + rho g . x_ij: the Neumann condition of a wall at
+/// rest. So do pairs that see each other through a body.
 template <int dim>
 class PoissonEquation {
  public:
   explicit PoissonEquation(const PoissonParameters<dim>& parameters);
 
-  /// Builds matrix and right-hand side. `source` is S for each particle [kg/(m3 s2)], `areas` the area vectors of the
-  /// particles on body surfaces (others are not looked at), both by place.
+  /// Builds matrix and right-hand side. `source` is S for each particle [kg/(m3 s2)], `areas` the area
+  /// vectors of the particles on body surfaces (others are not looked at), both by place.
   void assemble(const Particles<dim>& particles, const CellGrid<dim>& grid, const std::vector<double>& source,
                 const std::vector<Vec<dim>>& areas, double dt);
 
@@ -36,15 +36,38 @@ class PoissonEquation {
   const std::vector<std::int32_t>& unknowns() const { return place_; }  ///< place of each unknown's particle
 
  private:
+  /// What the rows of one assembly share.
+  struct Assembly {
+    const Particles<dim>& particles;
+    const CellGrid<dim>& grid;
+    const std::vector<Vec<dim>>& areas;
+    int reach;  ///< cells to each side that a row looks at
+  };
+
+  /// What a row gets besides its entries.
+  struct RowSums {
+    double diagonal = 0;
+    double wall = 0;  ///< of the Neumann terms
+  };
+
   void number_unknowns(const Particles<dim>& particles, const CellGrid<dim>& grid);
+  std::int64_t fill_row(const Assembly& assembly, int row, std::int64_t begin, RowSums& sums);
+  int fill_run(const Assembly& assembly, int i, int first, int last, std::int64_t begin, Matrix::Run& run,
+               RowSums& sums);
+  void hide_behind_bodies(const Assembly& assembly, int i, int first, int last, float* weights,
+                          RowSums& sums) const;
+  void add_others(const Assembly& assembly, int i, int first, int last, RowSums& sums) const;
 
   PoissonParameters<dim> parameters_;
   ReferenceValues reference_;
   Matrix A_;
   std::vector<double> b_;
   CellsOfUnknowns cells_;
-  std::vector<std::int32_t> place_;    // of each unknown
-  std::vector<std::int32_t> unknown_;  // of each particle, or -1
+  std::vector<std::int32_t> place_;  // of each unknown
+  std::vector<std::int32_t> rank_;   // unknowns in lower places than this one, for each place and the end
+  std::vector<std::int32_t> other_;  // places of the particles that are no unknowns
+  std::vector<std::int32_t> wet_;  // unknowns on bodies that are numbered lower, for each unknown and the end
+  std::array<std::vector<double>, dim> x_;  // coordinates of the unknowns
 };
 
 }  // namespace cosurge::fluid

@@ -11,21 +11,22 @@ struct SourceInput {
   double divergence;  ///< of the predicted velocities [1/s]
 };
 
-/// Eq. (6a), the paper's: S = -gamma rho / dt^2 (n* - n0) / n0 (Koshizuka & Oka 1996). An undamped spring on the
-/// density with the period 2 pi dt / sqrt(gamma): noise grows as dt shrinks.
+/// Eq. (6a), the paper's: S = -gamma rho / dt^2 (n* - n0) / n0 (Koshizuka & Oka 1996). An undamped spring on
+/// the density with the period 2 pi dt / sqrt(gamma): noise grows as dt shrinks.
 inline double deviation_source(const SourceInput& in, double gamma) {
   return -gamma * in.density / (in.dt * in.dt) * in.deviation;
 }
 
 /// Eq. (6b): S = (1 - gamma) rho / dt div u* - gamma rho / dt^2 (n* - n0) / n0 (Tanaka & Masunaga 2010,
-/// doi 10.1016/j.jcp.2010.02.011; Lee et al. 2011, doi 10.1016/j.cma.2010.12.001). The step ends free of divergence; the
-/// density drifts back over 1 / gamma steps.
+/// doi 10.1016/j.jcp.2010.02.011; Lee et al. 2011, doi 10.1016/j.cma.2010.12.001). The step ends free of
+/// divergence; the density drifts back over 1 / gamma steps.
 inline double mixed_source(const SourceInput& in, double gamma) {
   return (1 - gamma) * in.density / in.dt * in.divergence + deviation_source(in, gamma);
 }
 
-/// Eq. (6c): S = rho c / l0 div u* - rho (c / l0)^2 (n* - n0) / n0 (Cheng, Amaro & Favero 2021, arXiv 2203.08873): the
-/// same on the time scale l0 / c of a propagation speed c, whatever the step. `rate` is c / l0 [1/s], at most 1 / dt.
+/// Eq. (6c): S = rho c / l0 div u* - rho (c / l0)^2 (n* - n0) / n0 (Cheng, Amaro & Favero 2021, arXiv
+/// 2203.08873): the same on the time scale l0 / c of a propagation speed c, whatever the step. `rate` is c /
+/// l0 [1/s], at most 1 / dt.
 inline double time_scale_source(const SourceInput& in, double rate) {
   return in.density * rate * (in.divergence - rate * in.deviation);
 }

@@ -45,7 +45,8 @@ void expect_same_bits(const fs::path& first, const fs::path& second) {
     ASSERT_TRUE(b.contains(name)) << name;
     const std::vector<double>& others = b.at(name);
     ASSERT_EQ(values.size(), others.size()) << name;
-    ASSERT_EQ(std::memcmp(values.data(), others.data(), sizeof(double) * values.size()), 0) << name << " differs";
+    ASSERT_EQ(std::memcmp(values.data(), others.data(), sizeof(double) * values.size()), 0)
+        << name << " differs";
   }
 }
 
@@ -139,7 +140,8 @@ TEST_F(Programs, ResultsAreNotWrittenOver) {
 TEST_F(Programs, ABadCaseIsRefusedBeforeAnythingIsWritten) {
   Program program = start("bad", {"--set", "fluid.spacing=0.005", "solid.density=-1"});
   EXPECT_EQ(program.wait(patience), 1);
-  EXPECT_NE(program.output().find("solid.density: -1 must be > 0 [kg/m3]"), std::string::npos) << program.output();
+  EXPECT_NE(program.output().find("solid.density: -1 must be > 0 [kg/m3]"), std::string::npos)
+      << program.output();
   EXPECT_FALSE(fs::exists(folder("bad")));
 }
 

@@ -24,7 +24,8 @@ class Program {
   Program(const std::vector<std::string>& command, const std::filesystem::path& output) : output_(output) {
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output.c_str(), O_WRONLY | O_CREAT | O_TRUNC,
+                                     0600);
     posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
     std::vector<char*> arguments;
     for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
@@ -94,7 +95,8 @@ inline std::vector<std::pair<pid_t, std::string>> children_of(pid_t parent) {
     std::string program;
     std::string state;
     stat >> pid >> program >> state >> its_parent;
-    if (its_parent == parent && state != "Z") children.emplace_back(pid, program.substr(1, program.size() - 2));
+    if (its_parent == parent && state != "Z")
+      children.emplace_back(pid, program.substr(1, program.size() - 2));
   }
   return children;
 }
