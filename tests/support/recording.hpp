@@ -1,0 +1,54 @@
+// Runs a case within the test and keeps its histories and frames.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "common/solvers.hpp"
+#include "coupler/coupler.hpp"
+
+namespace cosurge::testing {
+
+class Recording : public Observer {
+ public:
+  /// Runs `the_case` to its end.
+  explicit Recording(const v1::Case& the_case) {
+    const auto fluid = the_case.has_fluid() ? make_fluid_solver() : nullptr;
+    const auto solid = the_case.has_solid() ? make_solid_solver() : nullptr;
+    Coupler coupler(the_case, {.fluid = fluid.get(), .solid = solid.get()});
+    members_ = coupler.members();
+    coupler.run({this}, [] { return false; });
+  }
+
+  void window(const Window& window, const Reports& reports, const std::vector<double>&) override {
+    time_.push_back(window.start + window.size);
+    for (std::size_t m = 0; m < reports.size(); ++m)
+      for (std::size_t c = 0; c < reports[m].values.size(); ++c)
+        columns_[members_[m].name + "/" + members_[m].setup.columns[c].name].push_back(reports[m].values[c]);
+  }
+
+  void frame(double time, const std::vector<Snapshot>& snapshots) override {
+    frames_.emplace_back(time, snapshots);
+  }
+
+  const std::vector<double>& time() const { return time_; }
+  /// "fluid/front", "solid/tip_x", ...
+  const std::vector<double>& column(const std::string& name) const { return columns_.at(name); }
+  const std::vector<std::pair<double, std::vector<Snapshot>>>& frames() const { return frames_; }
+
+ private:
+  std::vector<Member> members_;
+  std::vector<double> time_;
+  std::map<std::string, std::vector<double>> columns_;
+  std::vector<std::pair<double, std::vector<Snapshot>>> frames_;
+};
+
+/// The array of a snapshot by name.
+inline const std::vector<float>& array(const Snapshot& snapshot, const std::string& name) {
+  for (const Array& one : snapshot)
+    if (one.name == name) return one.values;
+  throw std::out_of_range(name);
+}
+
+}  // namespace cosurge::testing
