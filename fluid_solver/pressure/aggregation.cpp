@@ -83,19 +83,20 @@ void Aggregation::first_level(const Matrix& A, const CellsOfUnknowns& cells) {
   RowSum row;
   for (int a = 0; a < aggregates; ++a) {
     double diagonal = 0;
-    int b = -1;  // aggregate of the last column, and where it stands: columns come aggregate by aggregate
-    int at = 0;
     for (int i = cells.first[a]; i < cells.first[a + 1]; ++i) {
       diagonal += A.diagonal[i];
-      A.each(i, [&](int column, float w) {
-        if (level.aggregate[column] != b) {
-          b = level.aggregate[column];
-          at = offset(level.cell[a], level.cell[b]);
+      A.each_run(i, [&](const Matrix::Run& run, const float* w) {
+        const int end = run.first + run.length;
+        int b = level.aggregate[run.first];
+        for (int column = run.first; column < end; ++b) {
+          const int stop = std::min(end, cells.first[b + 1]);
+          float sum = 0;
+          for (; column < stop; ++column) sum += w[column - run.first];
+          if (b == a)
+            diagonal -= static_cast<double>(sum);
+          else if (sum != 0)
+            row.add(offset(level.cell[a], level.cell[b]), b, sum);
         }
-        if (b == a)
-          diagonal -= static_cast<double>(w);
-        else
-          row.add(at, b, w);
       });
     }
     level.diagonal.push_back(static_cast<float>(diagonal));

@@ -40,6 +40,14 @@ struct Matrix {
   float off_diagonal(int i, const float* x) const { return sum<Floats>(i, x); }
   double off_diagonal(int i, const double* x) const { return sum<Doubles>(i, x); }
 
+  /// Calls visit(run, weights) for each run of row i.
+  template <typename Visit>
+  void each_run(int i, Visit&& visit) const {
+    const float* w = weight.data() + rows.begin(i);
+    const Run* r = run.data() + static_cast<std::ptrdiff_t>(i) * runs_per_row;
+    for (const Run* last = r + runs_per_row; r != last && r->length > 0; w += r->length, ++r) visit(*r, w);
+  }
+
   /// Calls visit(column, weight) for the entries of row i that are not zero, in ascending order.
   template <typename Visit>
   void each(int i, Visit&& visit) const {
@@ -57,13 +65,6 @@ struct Matrix {
   }
 
  private:
-  template <typename Visit>
-  void each_run(int i, Visit&& visit) const {
-    const float* w = weight.data() + rows.begin(i);
-    const Run* r = run.data() + static_cast<std::ptrdiff_t>(i) * runs_per_row;
-    for (const Run* last = r + runs_per_row; r != last && r->length > 0; w += r->length, ++r) visit(*r, w);
-  }
-
   template <typename Lanes, typename Scalar>
   Scalar sum(int i, const Scalar* x) const {
     Lanes total{};

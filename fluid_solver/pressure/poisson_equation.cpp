@@ -59,7 +59,7 @@ void PoissonEquation<dim>::number_unknowns(const Particles<dim>& particles, cons
   rank_.push_back(size);
   cells_.first.push_back(size);
   for (int k = 0; k < dim; ++k) {
-    x_[k].resize(place_.size());
+    x_[k].resize(place_.size() + Matrix::lanes);
     for (std::size_t m = 0; m < place_.size(); ++m) x_[k][m] = particles.x[place_[m]][k];
   }
 }
@@ -116,14 +116,18 @@ int PoissonEquation<dim>::fill_run(const Assembly& assembly, int i, int first, i
   float* const weights = A_.weight.data() + begin;
   const Vec<dim>& x_i = assembly.particles.x[i];
   const auto re = static_cast<float>(parameters_.re);
-#pragma omp simd
-  for (int m = first; m < last; ++m) {
-    float r2 = 0;
-    for (int k = 0; k < dim; ++k) {
-      const auto d = static_cast<float>(x_[k][m] - x_i[k]);
-      r2 += d * d;
+  // Whole lanes, beyond the run too: a rest of single numbers would cost as much as the lanes.
+  const int whole = first + (last - first + Matrix::lanes - 1) / Matrix::lanes * Matrix::lanes;
+  for (int block = first; block < whole; block += Matrix::lanes) {
+#pragma omp simd simdlen(8)
+    for (int m = block; m < block + Matrix::lanes; ++m) {
+      float r2 = 0;
+      for (int k = 0; k < dim; ++k) {
+        const auto d = static_cast<float>(x_[k][m] - x_i[k]);
+        r2 += d * d;
+      }
+      weights[m - first] = weight_of(r2, re);
     }
-    weights[m - first] = weight_of(r2, re);
   }
   const bool beside_body = assembly.particles.kind[i] == Kind::body_surface || wet_[last] > wet_[first];
   if (beside_body) hide_behind_bodies(assembly, i, first, last, weights, sums);

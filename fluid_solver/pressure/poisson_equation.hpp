@@ -67,7 +67,7 @@ class PoissonEquation {
   std::vector<std::int32_t> rank_;   // unknowns in lower places than this one, for each place and the end
   std::vector<std::int32_t> other_;  // places of the particles that are no unknowns
   std::vector<std::int32_t> wet_;  // unknowns on bodies that are numbered lower, for each unknown and the end
-  std::array<std::vector<double>, dim> x_;  // coordinates of the unknowns
+  std::array<std::vector<double>, dim> x_;  // coordinates of the unknowns, and room for whole lanes
 };
 
 }  // namespace cosurge::fluid
