@@ -88,16 +88,23 @@ Solver Solver::thread(std::unique_ptr<Participant> participant, double patience,
 
 Solver::~Solver() { stop("it has ended", std::chrono::milliseconds(500)); }
 
-RemoteParticipant& Solver::join(int dimension, const std::vector<std::string>& capabilities) {
-  Channel::PeerEnded ended;
-  if (process_) ended = [process = process_.get()] { return process->ended(); };
+RemoteParticipant& Solver::join(int dimension, const std::vector<std::string>& capabilities,
+                                Channel::PeerEnded cancelled) {
+  const auto joined = std::make_shared<bool>(false);
+  const auto ended = [process = process_.get(), cancelled = std::move(cancelled),
+                      joined]() -> std::optional<std::string> {
+    if (cancelled && !*joined)
+      if (auto why = cancelled()) return why;
+    return process ? process->ended() : std::nullopt;
+  };
   Channel channel = std::move(*channel_);
   channel_.reset();
   participant_ = std::make_unique<RemoteParticipant>(
       std::move(channel),
       RemoteParticipant::Expectation{
           .role = role_, .token = token_, .dimension = dimension, .capabilities = capabilities},
-      std::move(ended));
+      ended);
+  *joined = true;
   return *participant_;
 }
 

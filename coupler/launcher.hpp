@@ -55,8 +55,11 @@ class Solver {
   /// The command that starts the solver by hand.
   const std::string& how_to_start() const { return how_to_start_; }
 
-  /// Waits for the solver and welcomes it. @throws as RemoteParticipant.
-  RemoteParticipant& join(int dimension, const std::vector<std::string>& capabilities);
+  /// Waits for the solver and welcomes it; gives up once `cancelled` says why, which is asked while waiting
+  /// for Hello.
+  /// @throws as RemoteParticipant.
+  RemoteParticipant& join(int dimension, const std::vector<std::string>& capabilities,
+                          Channel::PeerEnded cancelled = {});
 
   /// After join().
   RemoteParticipant& participant() { return *participant_; }

@@ -26,6 +26,10 @@ std::atomic<bool> interrupted = false;
 
 void interrupt(int) { interrupted = true; }
 
+std::optional<std::string> why_cancelled() {
+  return interrupted ? std::optional<std::string>("the run was interrupted") : std::nullopt;
+}
+
 /// Creates the folder of the results: the one asked for, which must not hold any, or the next free
 /// results/NAME.
 fs::path make_folder(const RunOptions& options) {
@@ -84,7 +88,7 @@ class Solvers {
     if (the_case.has_fluid()) fluid_.emplace(start(options, Role::fluid, sockets_.path(), folder));
     if (the_case.has_solid()) solid_.emplace(start(options, Role::solid, sockets_.path(), folder));
     for (auto* solver : {&fluid_, &solid_})
-      if (*solver) (*solver)->join(the_case.dimension(), {"save", "frame"});
+      if (*solver) (*solver)->join(the_case.dimension(), {"save", "frame"}, why_cancelled);
   }
 
   Participants participants() {
@@ -111,15 +115,8 @@ class Solvers {
   std::optional<Solver> solid_;
 };
 
-}  // namespace
-
-int run_command(const RunOptions& options) {
-  const v1::Case the_case = load_case(options.case_path, options.overrides);
-  const fs::path folder = make_folder(options);
-  std::signal(SIGINT, interrupt);
-  std::signal(SIGTERM, interrupt);
-
-  Solvers solvers(options, the_case, folder);
+/// The run once the solvers are there. Returns the exit status.
+int run_with(Solvers& solvers, const v1::Case& the_case, const fs::path& folder) {
   Coupler coupler(the_case, solvers.participants());
   fmt::print("{}\n", the_case.title());
   for (const Member& member : coupler.members())
@@ -149,6 +146,23 @@ int run_command(const RunOptions& options) {
   fmt::print("{} at t = {:.6g} s after {} windows{}{}\n", outcome.status, coupler.time(), coupler.windows(),
              outcome.reason.empty() ? "" : ": ", outcome.reason);
   return exit_status;
+}
+
+}  // namespace
+
+int run_command(const RunOptions& options) {
+  const v1::Case the_case = load_case(options.case_path, options.overrides);
+  const fs::path folder = make_folder(options);
+  std::signal(SIGINT, interrupt);
+  std::signal(SIGTERM, interrupt);
+  try {
+    Solvers solvers(options, the_case, folder);
+    return run_with(solvers, the_case, folder);
+  } catch (const std::exception&) {
+    if (!interrupted) throw;
+    fmt::print("interrupted before the run began\n");
+    return exit_interrupted;
+  }
 }
 
 }  // namespace cosurge

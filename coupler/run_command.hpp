@@ -18,7 +18,7 @@ struct RunOptions {
 
 /// Runs a case. Returns the exit status: 0 finished, 1 failed, 130 interrupted; the results are readable
 /// after each.
-/// @throws Error when the run cannot start; nothing is written then.
+/// @throws Error when the run cannot start: no results are written then, but the logs of the solvers stay.
 int run_command(const RunOptions& options);
 
 }  // namespace cosurge

@@ -38,7 +38,8 @@ std::vector<std::string> passive_environment() {
     if (!std::string_view(*entry).starts_with("OMP_WAIT_POLICY=")) environment.emplace_back(*entry);
   }
   environment.emplace_back("OMP_WAIT_POLICY=passive");
-  if (std::getenv("GOMP_SPINCOUNT") == nullptr) environment.push_back(std::string("GOMP_SPINCOUNT=") + short_spin);
+  if (std::getenv("GOMP_SPINCOUNT") == nullptr)
+    environment.push_back(std::string("GOMP_SPINCOUNT=") + short_spin);
   return environment;
 }
 

@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
+#include <iterator>
+#include <sstream>
 
 #include "tests/support/program.hpp"
 #include "tests/support/results.hpp"
@@ -126,6 +129,29 @@ TEST_F(Programs, AnInterruptEndsTheRunAndKeepsWhatItHas) {
   EXPECT_EQ(read_summary(folder("interrupted")).at("status"), "interrupted");
   EXPECT_GT(read_results(folder("interrupted")).at("/history/time").size(), 100U);
   for (const auto& [pid, name] : children) EXPECT_NE(kill(pid, 0), 0) << name << " was left behind";
+}
+
+TEST_F(Programs, ASolverStartedByHandJoinsOnASocketAndOverTcp) {
+  for (const std::string where : {"solid", "solid=tcp://127.0.0.1:*"}) {
+    const std::string name = where.find("tcp") == std::string::npos ? "socket" : "tcp";
+    Program program = start(name, {"--by-hand", where, "--set", "time.end=0.02"});
+    ASSERT_TRUE(program.says(".connection", patience)) << program.output();
+    std::istringstream words(program.output().substr(program.output().find("solid_solver")));
+    std::vector<std::string> command{std::istream_iterator<std::string>(words), {}};
+    command.front() = fs::path(COSURGE_PROGRAMS) / "solid_solver";
+    command.resize(3);  // solid_solver --connect FILE
+    Program solver(command, scratch_.path() / "solver.log");
+    EXPECT_EQ(program.wait(patience), 0) << program.output() << solver.output();
+    EXPECT_EQ(solver.wait(10), 0) << solver.output();
+  }
+  expect_same_bits(folder("socket"), folder("tcp"));
+}
+
+TEST_F(Programs, WaitingForASolverCanBeInterrupted) {
+  Program program = start("waiting", {"--by-hand", "solid"});
+  ASSERT_TRUE(program.says(".connection", patience)) << program.output();
+  kill(program.pid(), SIGINT);
+  EXPECT_EQ(program.wait(10), 130) << program.output();
 }
 
 TEST_F(Programs, ResultsAreNotWrittenOver) {
