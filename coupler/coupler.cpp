@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "common/state_bytes.hpp"
+
 namespace cosurge {
 
 Coupler::Coupler(const v1::Case& the_case, Participants participants)
@@ -24,7 +26,7 @@ Coupler::Coupler(const v1::Case& the_case, Participants participants)
 }
 
 bool Coupler::run(const std::vector<Observer*>& observers, const std::function<bool()>& stop) {
-  show_frame(observers);
+  if (schedule_.windows() == 0) show_frame(observers);
   while (!schedule_.finished()) {
     if (stop()) return false;
     const Window window = schedule_.next(largest_);
@@ -45,6 +47,37 @@ void Coupler::show_frame(const std::vector<Observer*>& observers) {
   for (Participant* participant : {participants_.fluid, participants_.solid})
     if (participant != nullptr) snapshots.push_back(participant->frame());
   for (Observer* observer : observers) observer->frame(schedule_.time(), snapshots);
+}
+
+std::string Coupler::save() const {
+  StateWriter state;
+  schedule_.save(state);
+  account_.save(state);
+  state.put(largest_);
+  for (const Field* field :
+       {&surface_.displacement, &surface_.velocity, &surface_.ramp_increment, &surface_.force})
+    state.put(*field);
+  state.put(surface_.pressure);
+  for (Participant* participant : {participants_.fluid, participants_.solid})
+    if (participant != nullptr) state.put(participant->save());
+  return state.take();
+}
+
+void Coupler::restore(const std::string& bytes) {
+  StateReader state(bytes);
+  schedule_.restore(state);
+  account_.restore(state);
+  state.get(largest_);
+  for (Field* field : {&surface_.displacement, &surface_.velocity, &surface_.ramp_increment, &surface_.force})
+    state.get(*field);
+  state.get(surface_.pressure);
+  for (Participant* participant : {participants_.fluid, participants_.solid}) {
+    if (participant == nullptr) continue;
+    std::string saved;
+    state.get(saved);
+    participant->restore(saved);
+  }
+  state.finish();
 }
 
 }  // namespace cosurge

@@ -33,9 +33,15 @@ class Coupler {
   /// Initializes the participants, the fluid first: its points are the interface.
   Coupler(const v1::Case& the_case, Participants participants);
 
-  /// All windows until the end, or until `stop` says true. Returns whether the end was reached.
+  /// All windows from the state it is in until the end, or until `stop` says true. Returns whether the end
+  /// was reached.
   /// @throws what the participants throw; observers have seen all windows before.
   bool run(const std::vector<Observer*>& observers, const std::function<bool()>& stop);
+
+  /// The state of the whole run between two windows, participants included: a new Coupler of the same case
+  /// that restores it goes on bit for bit.
+  std::string save() const;
+  void restore(const std::string& state);
 
   const std::vector<Member>& members() const { return members_; }
   const Interface& interface() const { return interface_; }

@@ -30,4 +30,21 @@ std::vector<double> InterfaceAccount::values() const {
   return values;
 }
 
+void InterfaceAccount::save(StateWriter& state) const {
+  state.put(work_);
+  state.put(static_cast<std::int64_t>(load_.rows()));
+  state.put(static_cast<std::int64_t>(load_.cols()));
+  state.put(load_);
+}
+
+void InterfaceAccount::restore(StateReader& state) {
+  std::int64_t rows = 0;
+  std::int64_t columns = 0;
+  state.get(work_);
+  state.get(rows);
+  state.get(columns);
+  load_.resize(rows, columns);
+  state.get(load_);
+}
+
 }  // namespace cosurge

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/participant.hpp"
+#include "common/state_bytes.hpp"
 
 namespace cosurge {
 
@@ -24,6 +25,9 @@ class InterfaceAccount {
 
   static std::vector<Column> columns(int dimension);
   std::vector<double> values() const;
+
+  void save(StateWriter& state) const;
+  void restore(StateReader& state);
 
  private:
   bool ramped_;

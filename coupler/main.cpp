@@ -18,6 +18,24 @@ void add_case(CLI::App& command, std::string& path, std::vector<std::string>& ov
       ->take_all();
 }
 
+/// How the solvers are started, which does not change the answer.
+void add_solvers(CLI::App& command, cosurge::RunOptions& options) {
+  CLI::Option* in_process = command.add_flag("--in-process", options.in_process,
+                                             "Solvers as threads of this process, the same bit for bit");
+  command
+      .add_option("--by-hand", options.by_hand,
+                  "A solver that is not launched but awaited: fluid or solid, and where (solid=tcp://*:5555; "
+                  "default: a socket on this machine). The command to start it is shown")
+      ->take_all()
+      ->excludes(in_process);
+  command.add_option("--threads", options.threads, "Threads of the fluid solver; 0: one a core")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  command.add_option("--patience", options.patience, "Longest wait for a solver's answer [s]")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -35,21 +53,13 @@ int main(int argc, char** argv) {
   add_case(*run_app, run.case_path, run.overrides);
   run_app->add_option("--out", run.out,
                       "Folder of the results (default: results/NAME, numbered where it is taken)");
-  CLI::Option* in_process = run_app->add_flag("--in-process", run.in_process,
-                                              "Solvers as threads of this process, the same bit for bit");
-  run_app
-      ->add_option(
-          "--by-hand", run.by_hand,
-          "A solver that is not launched but awaited: fluid or solid, and where (solid=tcp://*:5555; "
-          "default: a socket on this machine). The command to start it is shown")
-      ->take_all()
-      ->excludes(in_process);
-  run_app->add_option("--threads", run.threads, "Threads of the fluid solver; 0: one a core")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
-  run_app->add_option("--patience", run.patience, "Longest wait for a solver's answer [s]")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+  add_solvers(*run_app, run);
+
+  cosurge::RunOptions resume;
+  CLI::App* resume_app = app.add_subcommand(
+      "resume", "Go on with a run that was interrupted, failed or was killed, from its last frame");
+  resume_app->add_option("folder", resume.out, "Folder of its results")->required();
+  add_solvers(*resume_app, resume);
 
   std::string check_path;
   std::vector<std::string> check_overrides;
@@ -64,6 +74,7 @@ int main(int argc, char** argv) {
   }
   try {
     if (*run_app) return cosurge::run_command(run);
+    if (*resume_app) return cosurge::resume_command(resume);
     cosurge::check_command(check_path, check_overrides);
     return 0;
   } catch (const std::exception& error) {

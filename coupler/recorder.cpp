@@ -32,8 +32,8 @@ std::string without_prefix(const std::string& name, const std::string& owner) {
 
 Recorder::Recorder(const std::filesystem::path& folder, const v1::Case& the_case,
                    const std::vector<Member>& members, const Interface& interface,
-                   const std::vector<Column>& coupling_columns)
-    : folder_(folder), case_(the_case), members_(members), file_(folder / results_name) {
+                   const std::vector<Column>& coupling_columns, const std::string& name)
+    : folder_(folder), case_(the_case), members_(members), file_(folder / name) {
   describe();
   histories_.emplace_back("time", "s");
   histories_.emplace_back("window", "s");
@@ -64,19 +64,18 @@ void Recorder::describe() {
 
 void Recorder::window(const Window& window, const Reports& reports, const std::vector<double>& coupling) {
   assert(reports.size() == members_.size());
-  time_ = window.start + window.size;
-  ++windows_;
-  auto history = histories_.begin();
-  const auto add = [&](double value) {
-    assert(history != histories_.end());
-    (history++)->add(time_, value);
-  };
-  add(time_);
-  add(window.size);
+  std::vector<double> values = {window.start + window.size, window.size};
   for (const Report& report : reports)
-    for (const double value : report.values) add(value);
-  for (const double value : coupling) add(value);
-  assert(history == histories_.end());
+    values.insert(values.end(), report.values.begin(), report.values.end());
+  values.insert(values.end(), coupling.begin(), coupling.end());
+  row(values);
+}
+
+void Recorder::row(const std::vector<double>& values) {
+  assert(values.size() == histories_.size());
+  time_ = values.front();
+  ++windows_;
+  for (std::size_t k = 0; k < values.size(); ++k) histories_[k].add(time_, values[k]);
 }
 
 void Recorder::frame(double time, const std::vector<Snapshot>& snapshots) {

@@ -30,11 +30,16 @@ class Recorder : public Observer {
   static constexpr const char* xdmf_name = "results.xdmf";
 
   /// Creates the files in `folder`, which exists. @throws Error when they cannot be written or exist already.
+  /// `name`: of the HDF5 file.
   Recorder(const std::filesystem::path& folder, const v1::Case& the_case, const std::vector<Member>& members,
-           const Interface& interface, const std::vector<Column>& coupling_columns);
+           const Interface& interface, const std::vector<Column>& coupling_columns,
+           const std::string& name = results_name);
 
   /// One row of the histories. Rows stay in memory until the next frame() or flush().
   void window(const Window& window, const Reports& reports, const std::vector<double>& coupling) override;
+
+  /// The same with one value a history, in their order.
+  void row(const std::vector<double>& values);
 
   /// One frame, in the order of the members; afterwards all that was recorded is on disk.
   /// An array's name loses the member's name in front: "solid_position" is /frames/solid/position.

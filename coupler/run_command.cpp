@@ -8,6 +8,7 @@
 
 #include "common/case_file.hpp"
 #include "common/solvers.hpp"
+#include "coupler/checkpoint.hpp"
 #include "coupler/launcher.hpp"
 #include "coupler/progress.hpp"
 #include "coupler/recorder.hpp"
@@ -115,25 +116,48 @@ class Solvers {
   std::optional<Solver> solid_;
 };
 
+/// The new recorder of a run, with what the checkpoint's run had recorded when it was written.
+std::unique_ptr<Recorder> make_recorder(const fs::path& folder, const v1::Case& the_case,
+                                        const Coupler& coupler, const Checkpoint* checkpoint) {
+  const auto make = [&](const std::string& name) {
+    return std::make_unique<Recorder>(folder, the_case, coupler.members(), coupler.interface(),
+                                      coupler.columns(), name);
+  };
+  const fs::path results = folder / Recorder::results_name;
+  if (checkpoint == nullptr) return make(results.filename());
+  const fs::path fresh = results.string() + ".new";
+  fs::remove(fresh);  // of a resumption that was cut off
+  auto recorder = make(fresh.filename());
+  replay(results, checkpoint->time, *recorder);
+  fs::rename(fresh, results);
+  return recorder;
+}
+
 /// The run once the solvers are there. Returns the exit status.
-int run_with(Solvers& solvers, const v1::Case& the_case, const fs::path& folder) {
+int run_with(Solvers& solvers, const v1::Case& the_case, const fs::path& folder,
+             const Checkpoint* checkpoint) {
   Coupler coupler(the_case, solvers.participants());
+  if (checkpoint != nullptr) coupler.restore(checkpoint->state);
   fmt::print("{}\n", the_case.title());
   for (const Member& member : coupler.members())
     fmt::print("  {}: {} {}, {} particles\n", member.name, member.identity.program, member.identity.version,
                member.setup.particles);
-  fmt::print("  results: {}\n", (folder / "results.h5").string());
+  fmt::print("  results: {}\n", (folder / Recorder::results_name).string());
+  if (checkpoint != nullptr) fmt::print("  resumed at t = {:.6g} s\n", checkpoint->time);
   std::fflush(stdout);
 
-  Recorder recorder(folder, the_case, coupler.members(), coupler.interface(), coupler.columns());
+  const auto recorder = make_recorder(folder, the_case, coupler, checkpoint);
+  CheckpointWriter checkpoints(folder, the_case, coupler);
   Outcome outcome{.status = "finished", .reason = ""};
   int exit_status = 0;
   try {
     Progress progress(the_case, coupler.members(), stdout);
-    if (!coupler.run({&recorder, &progress}, [] { return interrupted.load(); })) {
+    if (!coupler.run({recorder.get(), &checkpoints, &progress}, [] { return interrupted.load(); })) {
       outcome = {.status = "interrupted",
                  .reason = fmt::format("by a signal at t = {:.6g} s", coupler.time())};
       exit_status = exit_interrupted;
+      recorder->flush();
+      checkpoints.write();
     }
   } catch (const std::exception& error) {
     outcome = {.status = "failed", .reason = error.what()};
@@ -141,28 +165,40 @@ int run_with(Solvers& solvers, const v1::Case& the_case, const fs::path& folder)
   }
   outcome.exchange_seconds = solvers.exchange_seconds();
   solvers.stop(outcome.status == "finished" ? "the run is over" : outcome.reason);
-  recorder.flush();
-  write_summary(folder, recorder, outcome);
+  recorder->flush();
+  write_summary(folder, *recorder, outcome);
   fmt::print("{} at t = {:.6g} s after {} windows{}{}\n", outcome.status, coupler.time(), coupler.windows(),
              outcome.reason.empty() ? "" : ": ", outcome.reason);
+  if (exit_status != 0) fmt::print("to go on: cosurge resume {}\n", folder.string());
   return exit_status;
+}
+
+/// Starts the solvers and runs, from the beginning or from a checkpoint.
+int launch(const RunOptions& options, const v1::Case& the_case, const fs::path& folder,
+           const Checkpoint* checkpoint) {
+  std::signal(SIGINT, interrupt);
+  std::signal(SIGTERM, interrupt);
+  try {
+    Solvers solvers(options, the_case, folder);
+    return run_with(solvers, the_case, folder, checkpoint);
+  } catch (const std::exception&) {
+    if (!interrupted) throw;
+    fmt::print("interrupted before the run began\n");
+    return exit_interrupted;
+  }
 }
 
 }  // namespace
 
 int run_command(const RunOptions& options) {
   const v1::Case the_case = load_case(options.case_path, options.overrides);
-  const fs::path folder = make_folder(options);
-  std::signal(SIGINT, interrupt);
-  std::signal(SIGTERM, interrupt);
-  try {
-    Solvers solvers(options, the_case, folder);
-    return run_with(solvers, the_case, folder);
-  } catch (const std::exception&) {
-    if (!interrupted) throw;
-    fmt::print("interrupted before the run began\n");
-    return exit_interrupted;
-  }
+  return launch(options, the_case, make_folder(options), nullptr);
+}
+
+int resume_command(const RunOptions& options) {
+  const Checkpoint checkpoint = Checkpoint::read(options.out);
+  require(checkpoint.time < checkpoint.the_case.time().end(), "{}: the run is finished", options.out);
+  return launch(options, checkpoint.the_case, options.out, &checkpoint);
 }
 
 }  // namespace cosurge

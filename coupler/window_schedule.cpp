@@ -36,4 +36,20 @@ void WindowSchedule::complete(const Window& window) {
   ++frames_;
 }
 
+void WindowSchedule::save(StateWriter& state) const {
+  state.put(time_);
+  state.put(index_);
+  state.put(frames_);
+  state.put(at_frame_);
+  state.put(finished_);
+}
+
+void WindowSchedule::restore(StateReader& state) {
+  state.get(time_);
+  state.get(index_);
+  state.get(frames_);
+  state.get(at_frame_);
+  state.get(finished_);
+}
+
 }  // namespace cosurge

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/participant.hpp"
+#include "common/state_bytes.hpp"
 
 namespace cosurge {
 
@@ -17,6 +18,9 @@ class WindowSchedule {
 
   /// The window has been computed.
   void complete(const Window& window);
+
+  void save(StateWriter& state) const;
+  void restore(StateReader& state);
 
   double time() const { return time_; }
   std::uint64_t windows() const { return index_; }

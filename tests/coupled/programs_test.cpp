@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <iterator>
 #include <sstream>
 
@@ -32,6 +33,27 @@ class Programs : public ::testing::Test {
   void run(const std::string& name, std::vector<std::string> arguments) {
     Program program = start(name, std::move(arguments));
     ASSERT_EQ(program.wait(patience), 0) << program.output();
+  }
+
+  /// Frames that can be read in the results so far; none where the file is being written just now.
+  std::size_t frames(const std::string& name) const {
+    try {
+      return read_results(folder(name)).at("/frames/time").size();
+    } catch (const H5::Exception&) {
+      return 0;
+    } catch (const std::out_of_range&) {
+      return 0;
+    }
+  }
+
+  void SetUp() override { H5::Exception::dontPrint(); }
+
+  static bool patiently(const std::function<bool()>& reached) {
+    for (int tries = 0; tries < 50 * patience; ++tries) {
+      if (reached()) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    return false;
   }
 
   fs::path folder(const std::string& name) const { return scratch_.path() / name; }
@@ -129,6 +151,37 @@ TEST_F(Programs, AnInterruptEndsTheRunAndKeepsWhatItHas) {
   EXPECT_EQ(read_summary(folder("interrupted")).at("status"), "interrupted");
   EXPECT_GT(read_results(folder("interrupted")).at("/history/time").size(), 100U);
   for (const auto& [pid, name] : children) EXPECT_NE(kill(pid, 0), 0) << name << " was left behind";
+}
+
+TEST_F(Programs, AnInterruptedRunResumesToTheSameBits) {
+  run("whole", {"--in-process"});
+  Program cut = start("cut", {});
+  // Frames are 0.02 s apart: this is after the third, in the middle of an interval.
+  ASSERT_TRUE(patiently([&] { return frames("cut") >= 3; }));
+  kill(cut.pid(), SIGINT);
+  ASSERT_EQ(cut.wait(patience), 130) << cut.output();
+  const std::size_t rows = read_results(folder("cut")).at("/history/time").size();
+  Program resumed({cosurge_program, "resume", folder("cut")}, scratch_.path() / "resumed.log");
+  ASSERT_EQ(resumed.wait(patience), 0) << resumed.output();
+  EXPECT_LT(rows, read_results(folder("cut")).at("/history/time").size())
+      << "the run was over before it was cut";
+  expect_same_bits(folder("whole"), folder("cut"));
+  Program again({cosurge_program, "resume", folder("cut")}, scratch_.path() / "again.log");
+  EXPECT_EQ(again.wait(patience), 1);
+  EXPECT_NE(again.output().find("the run is finished"), std::string::npos) << again.output();
+}
+
+TEST_F(Programs, ARunWhoseSolverWasKilledResumesFromItsLastFrameToTheSameBits) {
+  run("whole", {});
+  Program cut = start("cut", {});
+  ASSERT_TRUE(patiently([&] { return frames("cut") >= 3; }));
+  for (const auto& [pid, name] : children_of(cut.pid()))
+    if (name == "solid_solver") kill(pid, SIGKILL);
+  ASSERT_EQ(cut.wait(patience), 1) << cut.output();
+  Program resumed({cosurge_program, "resume", folder("cut"), "--in-process"},
+                  scratch_.path() / "resumed.log");
+  ASSERT_EQ(resumed.wait(patience), 0) << resumed.output();
+  expect_same_bits(folder("whole"), folder("cut"));
 }
 
 TEST_F(Programs, ASolverStartedByHandJoinsOnASocketAndOverTcp) {

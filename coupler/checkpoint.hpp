@@ -1,0 +1,45 @@
+// What a run can be resumed from.
+#pragma once
+
+#include <filesystem>
+
+#include "coupler/coupler.hpp"
+#include "coupler/recorder.hpp"
+
+namespace cosurge {
+
+/// A run at one instant: the resolved case and the state of coupler and participants.
+struct Checkpoint {
+  static constexpr const char* name = "checkpoint";
+
+  v1::Case the_case;
+  double time = 0;    ///< [s]
+  std::string state;  ///< Coupler::save()
+
+  /// Replaces the checkpoint of `folder` in one go. @throws Error when it cannot be written.
+  void write(const std::filesystem::path& folder) const;
+
+  /// @throws Error when there is none, or it is of another version of Cosurge.
+  static Checkpoint read(const std::filesystem::path& folder);
+};
+
+/// Keeps a checkpoint of the last frame.
+class CheckpointWriter : public Observer {
+ public:
+  CheckpointWriter(const std::filesystem::path& folder, const v1::Case& the_case, const Coupler& coupler)
+      : folder_(folder), case_(the_case), coupler_(coupler) {}
+
+  void window(const Window&, const Reports&, const std::vector<double>&) override {}
+  void frame(double, const std::vector<Snapshot>&) override { write(); }
+  void write() const;
+
+ private:
+  std::filesystem::path folder_;
+  v1::Case case_;
+  const Coupler& coupler_;
+};
+
+/// Feeds the rows and frames of `results` up to `time` [s] to a new recorder of the same run.
+void replay(const std::filesystem::path& results, double time, Recorder& recorder);
+
+}  // namespace cosurge
