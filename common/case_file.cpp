@@ -91,7 +91,8 @@ class Walk {
         if (!node.is_integer()) return errors_.add(path, "must be a whole number");
         if (const auto value = number(node, path, field)) {
           constexpr int most = std::numeric_limits<int>::max();
-          if (std::abs(*value) > most) return errors_.add(path, fmt::format("{} must be <= {}", *value, most));
+          if (std::abs(*value) > most)
+            return errors_.add(path, fmt::format("{} must be <= {}", *value, most));
           reflection.SetInt32(&into, &field, static_cast<int>(*value));
         }
         return;
@@ -170,15 +171,16 @@ toml::table parse_value(const std::string& source, const std::string& value) {
   try {
     return toml::parse("value = " + value, source);
   } catch (const toml::parse_error&) {
-    require(value.find_first_of("'\n\r") == std::string::npos, "{}: \"{}\" is neither a TOML value nor a word", source,
-            value);
+    require(value.find_first_of("'\n\r") == std::string::npos,
+            "{}: \"{}\" is neither a TOML value nor a word", source, value);
     return toml::parse("value = '" + value + "'", source);
   }
 }
 
 /// The entry of a list that `key` means, if there is one.
 std::optional<std::size_t> entry_of(const toml::array& items, const std::string& key) {
-  const bool numeric = !key.empty() && key.size() < 9 && key.find_first_not_of("0123456789") == std::string::npos;
+  const bool numeric =
+      !key.empty() && key.size() < 9 && key.find_first_not_of("0123456789") == std::string::npos;
   if (!numeric || std::stoul(key) >= items.size()) return std::nullopt;
   return std::stoul(key);
 }

@@ -17,7 +17,8 @@ constexpr double whole =
 bool divides(double spacing, double length) {
   const double quotient = length / spacing;
   const double nearest = std::round(quotient);
-  return (nearest != 0 || length == 0) && std::abs(quotient - nearest) < whole * std::max(1.0, std::abs(quotient));
+  return (nearest != 0 || length == 0) &&
+         std::abs(quotient - nearest) < whole * std::max(1.0, std::abs(quotient));
 }
 
 /// A box of the case, with its key, and whether the lattice must fill it exactly.
@@ -83,7 +84,8 @@ void check_spacing(const std::string& key, double spacing, const std::vector<Nam
   constexpr double finest = 1e5;  // spacings along a side: no memory holds more
   const double longest = *std::max_element(lengths.begin(), lengths.end());
   if (longest > finest * spacing)
-    return errors.add(key, fmt::format("{} must be >= {:.6g} [m], the longest side over {}", spacing, longest / finest, finest));
+    return errors.add(key, fmt::format("{} must be >= {:.6g} [m], the longest side over {}", spacing,
+                                       longest / finest, finest));
   if (wrong.empty()) return;
   const auto below = nearest_spacing(spacing, lengths, 1);
   const auto above = nearest_spacing(spacing, lengths, -1);
