@@ -2,6 +2,8 @@
 
 #include "common/error.hpp"
 #include "common/vec.hpp"
+#include "solid_solver/models/fem/fem_model.hpp"
+#include "solid_solver/models/modal/modal_model.hpp"
 #include "solid_solver/models/mps/mps_model.hpp"
 #include "solid_solver/models/rigid/rigid_model.hpp"
 
@@ -28,6 +30,10 @@ std::unique_ptr<SolidModel> make(const v1::Case& the_case) {
       return std::make_unique<mps::MpsModel<dim>>(solid, spacing_of(the_case), gravity_of<dim>(the_case));
     case v1::SolidModel::rigid:
       return std::make_unique<RigidModel<dim>>(solid, spacing_of(the_case));
+    case v1::SolidModel::fem:
+      return std::make_unique<fem::FemModel<dim>>(solid, spacing_of(the_case), gravity_of<dim>(the_case));
+    case v1::SolidModel::modal:
+      return std::make_unique<modal::ModalModel<dim>>(solid, spacing_of(the_case), gravity_of<dim>(the_case));
   }
   throw Error("solid.model: unknown");
 }

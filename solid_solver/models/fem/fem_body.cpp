@@ -1,0 +1,238 @@
+#include "solid_solver/models/fem/fem_body.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <limits>
+
+namespace cosurge::fem {
+namespace {
+
+/// E = (F^T F - I) / 2 from H = F - I, without the cancellation of small strains.
+template <int dim>
+Mat<dim> green_strain(const Mat<dim>& H) {
+  return 0.5 * (H + H.transpose() + H.transpose() * H);
+}
+
+}  // namespace
+
+template <int dim>
+FemBody<dim>::FemBody(const v1::Body& body, int index, double longest, const Elasticity& material,
+                      const Vec<dim>& gravity)
+    : material_(material), mesh_(body, index, longest) {
+  const Vec<dim> scale = 2 / mesh_.side().array();
+  const auto samples = Element::gauss();
+  for (std::size_t g = 0; g < samples.size(); ++g)
+    quadrature_[g] = {.gradients = Element::gradients(samples[g].xi) * scale.asDiagonal(),
+                      .volume = samples[g].weight / scale.prod()};
+  number_unknowns();
+  make_pattern();
+  integrate_mass(gravity);
+}
+
+template <int dim>
+void FemBody<dim>::number_unknowns() {
+  unknown_.assign(static_cast<std::size_t>(mesh_.nodes() * dim), -1);
+  for (Eigen::Index c = 0; c < mesh_.nodes() * dim; ++c) {
+    if (mesh_.held(c / dim)) continue;
+    unknown_[static_cast<std::size_t>(c)] = unknowns();
+    component_.push_back(c);
+  }
+}
+
+template <int dim>
+void FemBody<dim>::make_pattern() {
+  const auto entry = [&](Eigen::Index e, int i) {
+    return unknown_[static_cast<std::size_t>(mesh_.node(e, i / dim) * dim + i % dim)];
+  };
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Eigen::Index e = 0; e < mesh_.elements(); ++e)
+    for (int i = 0; i < components; ++i)
+      for (int j = 0; j < components; ++j)
+        if (entry(e, j) >= 0 && entry(e, i) >= entry(e, j))
+          entries.emplace_back(static_cast<int>(entry(e, i)), static_cast<int>(entry(e, j)), 0.0);
+  mass_.resize(unknowns(), unknowns());
+  mass_.setFromTriplets(entries.begin(), entries.end());
+  const auto slot_of = [&](Eigen::Index row, Eigen::Index column) -> Eigen::Index {
+    if (column < 0 || row < column) return -1;
+    const int* rows = mass_.innerIndexPtr();
+    return std::lower_bound(rows + mass_.outerIndexPtr()[column], rows + mass_.outerIndexPtr()[column + 1],
+                            static_cast<int>(row)) -
+           rows;
+  };
+  slot_.reserve(static_cast<std::size_t>(mesh_.elements() * components * components));
+  for (Eigen::Index e = 0; e < mesh_.elements(); ++e)
+    for (int j = 0; j < components; ++j)
+      for (int i = 0; i < components; ++i) slot_.push_back(slot_of(entry(e, i), entry(e, j)));
+}
+
+template <int dim>
+void FemBody<dim>::integrate_mass(const Vec<dim>& gravity) {
+  Stiffness part = Stiffness::Zero();
+  typename Element::Values share = Element::Values::Zero();
+  const auto samples = Element::gauss();
+  for (std::size_t g = 0; g < samples.size(); ++g) {
+    const typename Element::Values N = Element::values(samples[g].xi);
+    const double mass = material_.density * quadrature_[g].volume;
+    share += mass * N;
+    for (int a = 0; a < Element::nodes; ++a)
+      for (int b = 0; b < Element::nodes; ++b)
+        for (int k = 0; k < dim; ++k) part(a * dim + k, b * dim + k) += mass * N[a] * N[b];
+  }
+  Field weight = Field::Zero(dim, mesh_.nodes());
+  for (Eigen::Index e = 0; e < mesh_.elements(); ++e) {
+    scatter(part, e, mass_);
+    for (int a = 0; a < Element::nodes; ++a) weight.col(mesh_.node(e, a)) += share[a] * gravity;
+  }
+  weight_ = from_nodes(weight);
+}
+
+template <int dim>
+void FemBody<dim>::scatter(const Stiffness& part, Eigen::Index element, Matrix& whole) const {
+  const Eigen::Index* slot = slot_.data() + element * components * components;
+  for (Eigen::Index k = 0; k < components * components; ++k)
+    if (slot[k] >= 0) whole.valuePtr()[slot[k]] += part.data()[k];
+}
+
+template <int dim>
+typename FemBody<dim>::Nodal FemBody<dim>::gather(const Vector& u, Eigen::Index element) const {
+  Nodal values;
+  for (int a = 0; a < Element::nodes; ++a) {
+    for (int k = 0; k < dim; ++k) {
+      const Eigen::Index i = unknown_[static_cast<std::size_t>(mesh_.node(element, a) * dim + k)];
+      values(k, a) = i < 0 ? 0 : u[i];
+    }
+  }
+  return values;
+}
+
+template <int dim>
+Mat<dim> FemBody<dim>::second_piola(const Mat<dim>& strain) const {
+  return material_.lambda() * strain.trace() * Mat<dim>::Identity() + 2 * material_.mu() * strain;
+}
+
+template <int dim>
+typename FemBody<dim>::InternalForce FemBody<dim>::internal_force(const Vector& u) const {
+  InternalForce result{
+      .force = Vector::Zero(unknowns()), .gross = 0, .least_volume = std::numeric_limits<double>::infinity()};
+  for (Eigen::Index e = 0; e < mesh_.elements(); ++e) {
+    const Nodal moved = gather(u, e);
+    Nodal force = Nodal::Zero();
+    for (const Quadrature& q : quadrature_) {
+      const Mat<dim> H = moved * q.gradients, F = Mat<dim>::Identity() + H;
+      force += q.volume * (F * second_piola(green_strain<dim>(H))) * q.gradients.transpose();
+      result.least_volume = std::min(result.least_volume, F.determinant());
+    }
+    result.gross = std::max(result.gross, force.cwiseAbs().maxCoeff());
+    for (int a = 0; a < Element::nodes; ++a) {
+      for (int k = 0; k < dim; ++k) {
+        const Eigen::Index i = unknown_[static_cast<std::size_t>(mesh_.node(e, a) * dim + k)];
+        if (i >= 0) result.force[i] += force(k, a);
+      }
+    }
+  }
+  return result;
+}
+
+template <int dim>
+typename FemBody<dim>::Stiffness FemBody<dim>::element_tangent(const Nodal& u) const {
+  const double lambda = material_.lambda(), mu = material_.mu();
+  Stiffness part = Stiffness::Zero();
+  for (const Quadrature& q : quadrature_) {
+    const Mat<dim> H = u * q.gradients, F = Mat<dim>::Identity() + H;
+    const Mat<dim> S = q.volume * second_piola(green_strain<dim>(H));
+    const Mat<dim> B = q.volume * mu * F * F.transpose();
+    const Nodal turned = F * q.gradients.transpose();  // F g_a
+    const typename Element::Gradients pulled = q.gradients * S;
+    for (int b = 0; b < Element::nodes; ++b) {
+      for (int a = b; a < Element::nodes; ++a) {
+        Mat<dim> block = (q.volume * lambda) * turned.col(a) * turned.col(b).transpose() +
+                         (q.volume * mu) * turned.col(b) * turned.col(a).transpose() +
+                         q.gradients.row(a).dot(q.gradients.row(b)) * B;
+        block.diagonal().array() += pulled.row(a).dot(q.gradients.row(b));
+        part.template block<dim, dim>(a * dim, b * dim) += block;
+      }
+    }
+  }
+  // Nodes of an element ascend as their unknowns do, so that the lower triangle needs no other block.
+  return part;
+}
+
+template <int dim>
+Matrix FemBody<dim>::tangent(const Vector& u) const {
+  Matrix whole = mass_;
+  whole.coeffs().setZero();
+  for (Eigen::Index e = 0; e < mesh_.elements(); ++e) scatter(element_tangent(gather(u, e)), e, whole);
+  return whole;
+}
+
+template <int dim>
+double FemBody<dim>::elastic_energy(const Vector& u) const {
+  double energy = 0;
+  for (Eigen::Index e = 0; e < mesh_.elements(); ++e) {
+    const Nodal moved = gather(u, e);
+    for (const Quadrature& q : quadrature_) {
+      const Mat<dim> E = green_strain<dim>(moved * q.gradients);
+      energy += 0.5 * q.volume * E.cwiseProduct(second_piola(E)).sum();
+    }
+  }
+  return energy;
+}
+
+template <int dim>
+Vector FemBody<dim>::momentum(const Vector& v) const {
+  return mass_.template selfadjointView<Eigen::Lower>() * v;
+}
+
+template <int dim>
+typename FemBody<dim>::Deformation FemBody<dim>::deformation(const Vector& u) const {
+  static const auto gradients = [] {
+    std::array<typename Element::Gradients, Element::nodes> all;
+    for (int a = 0; a < Element::nodes; ++a)
+      all[static_cast<std::size_t>(a)] =
+          Element::gradients(Element::place(a).template cast<double>().array() - 1);
+    return all;
+  }();
+  const Vec<dim> scale = 2 / mesh_.side().array();
+  Deformation largest;
+  for (Eigen::Index e = 0; e < mesh_.elements(); ++e) {
+    const Nodal moved = gather(u, e);
+    for (const auto& G : gradients) {
+      const Mat<dim> H = moved * G * scale.asDiagonal();
+      const Mat<dim> turn = 0.5 * (H - H.transpose()), strain = 0.5 * (H + H.transpose());
+      largest.rotation = std::max(largest.rotation, turn.norm() / std::sqrt(2.0));
+      const auto principal = Eigen::SelfAdjointEigenSolver<Mat<dim>>()
+                                 .computeDirect(strain, Eigen::EigenvaluesOnly)
+                                 .eigenvalues();
+      largest.strain = std::max(largest.strain, principal.cwiseAbs().maxCoeff());
+    }
+  }
+  return largest;
+}
+
+template <int dim>
+Mat<dim> FemBody<dim>::displacement_gradient(const Vector& u, const typename Mesh<dim>::Place& place) const {
+  const Vec<dim> scale = 2 / mesh_.side().array();
+  return gather(u, place.element) * Element::gradients(place.xi) * scale.asDiagonal();
+}
+
+template <int dim>
+Vector FemBody<dim>::from_nodes(const Eigen::Ref<const Field>& values) const {
+  Vector vector(unknowns());
+  for (Eigen::Index i = 0; i < unknowns(); ++i) {
+    const Eigen::Index c = component_[static_cast<std::size_t>(i)];
+    vector[i] = values(c % dim, c / dim);
+  }
+  return vector;
+}
+
+template <int dim>
+Field FemBody<dim>::to_nodes(const Vector& values) const {
+  Field field = Field::Zero(dim, mesh_.nodes());
+  for (Eigen::Index i = 0; i < unknowns(); ++i)
+    field.data()[component_[static_cast<std::size_t>(i)]] = values[i];
+  return field;
+}
+
+template class FemBody<2>;
+
+}  // namespace cosurge::fem

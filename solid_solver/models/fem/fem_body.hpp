@@ -1,0 +1,89 @@
+// One body of finite elements: its forces, stiffness, mass and energies.
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <vector>
+
+#include "solid_solver/elasticity.hpp"
+#include "solid_solver/models/fem/mesh.hpp"
+#include "solid_solver/solid_model.hpp"
+
+namespace cosurge::fem {
+
+using Vector = Eigen::VectorXd;
+using Matrix = Eigen::SparseMatrix<double>;  ///< the lower triangle of a symmetric one
+
+/// Total Lagrangian finite elements of second order, St. Venant-Kirchhoff material, in plane strain where the
+/// scene has two dimensions (docs/method_solid.md, S20 to S23). Vectors go over the unknowns: the components
+/// of the free nodes' displacement, node after node.
+template <int dim>
+class FemBody {
+ public:
+  /// Forces of a displacement, and what tells whether they mean anything.
+  struct InternalForce {
+    Vector force;         ///< [N]
+    double gross;         ///< largest component of one element's force on a node: the scale of rounding [N]
+    double least_volume;  ///< smallest det F: 0 and less where an element is turned inside out
+  };
+
+  /// Largest values over the elements' nodes.
+  struct Deformation {
+    double rotation = 0;  ///< of the antisymmetric part of the displacement gradient [rad], small angles
+    double strain = 0;    ///< largest principal value of its symmetric part, either sign [-]
+  };
+
+  /// @param index of the body, for messages
+  /// @param longest side of an element [m], 0 for half of the thinnest side
+  FemBody(const v1::Body& body, int index, double longest, const Elasticity& material,
+          const Vec<dim>& gravity);
+
+  const Mesh<dim>& mesh() const { return mesh_; }
+  Eigen::Index unknowns() const { return static_cast<Eigen::Index>(component_.size()); }
+
+  InternalForce internal_force(const Vector& u) const;
+  Matrix tangent(const Vector& u) const;            ///< d internal_force / d u [N/m]
+  const Matrix& mass() const { return mass_; }      ///< consistent [kg], same pattern as tangent
+  const Vector& weight() const { return weight_; }  ///< gravity's force [N]
+  double elastic_energy(const Vector& u) const;     ///< [J]
+  Vector momentum(const Vector& v) const;           ///< M v
+  Deformation deformation(const Vector& u) const;
+
+  /// Grad u in a point of an element, d u_i / d X_j [-].
+  Mat<dim> displacement_gradient(const Vector& u, const typename Mesh<dim>::Place& place) const;
+
+  /// Values at the nodes, dimension x nodes, to and from unknowns; held nodes have none, and zero.
+  Vector from_nodes(const Eigen::Ref<const Field>& values) const;
+  Field to_nodes(const Vector& values) const;
+
+ private:
+  using Element = QuadraticElement<dim>;
+  static constexpr int components = Element::nodes * dim;  // of an element
+  using Nodal = Eigen::Matrix<double, dim, Element::nodes>;
+  using Stiffness = Eigen::Matrix<double, components, components>;
+
+  /// Gradients by X and the volume of one Gauss point, the same in all elements.
+  struct Quadrature {
+    typename Element::Gradients gradients;  // [1/m]
+    double volume;                          // [m^dim]
+  };
+
+  void number_unknowns();
+  void make_pattern();
+  void integrate_mass(const Vec<dim>& gravity);
+  Nodal gather(const Vector& u, Eigen::Index element) const;
+  Mat<dim> second_piola(const Mat<dim>& strain) const;  // S = lambda tr(E) I + 2 mu E
+  Stiffness element_tangent(const Nodal& u) const;
+  void scatter(const Stiffness& part, Eigen::Index element, Matrix& whole) const;
+
+  Elasticity material_;
+  Mesh<dim> mesh_;
+  std::array<Quadrature, Element::nodes> quadrature_;
+  std::vector<Eigen::Index> component_;  // node * dim + axis of each unknown
+  std::vector<Eigen::Index> unknown_;    // of each component, -1 where held
+  Matrix mass_;
+  std::vector<Eigen::Index>
+      slot_;  // of an element's entry in the values of a matrix, -1: not in the triangle
+  Vector weight_;
+};
+
+}  // namespace cosurge::fem

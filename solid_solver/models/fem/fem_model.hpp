@@ -1,0 +1,56 @@
+// The model `fem`: finite elements of second order, implicit in time.
+#pragma once
+
+#include <deque>
+
+#include "solid_solver/models/fem/generalised_alpha.hpp"
+#include "solid_solver/models/fem/meshed_bodies.hpp"
+
+namespace cosurge::fem {
+
+/// Large deformation without a limit on the step: it takes the window, or solid.fem.substep.
+template <int dim>
+class FemModel : public SolidModel {
+ public:
+  /// @param spacing of the points that follow the bodies [m]
+  FemModel(const v1::Solid& solid, double spacing, const Vec<dim>& gravity);
+  FemModel(const FemModel&) = delete;
+  FemModel& operator=(const FemModel&) = delete;
+
+  Eigen::Index nodes() const override { return bodies_.nodes(); }
+  std::uint64_t particles() const override { return bodies_.particles(); }
+  Interpolation interpolation(const Field& position, const std::vector<int>& body) const override {
+    return bodies_.interpolation(position, body);
+  }
+  double substep() const override { return substep_; }
+
+  /// Sub-step k of n sees the load at (k + 1 - alpha_f) / n of the window, where its forces are balanced.
+  int advance(const Window& window, const NodalLoad& load) override;
+  Field displacement() const override { return bodies_.to_nodes(displacements()); }
+  Field ramp_increment() const override { return bodies_.to_nodes(ramp_increment_); }
+  double max_speed() const override { return bodies_.max_speed(velocities()); }
+  Energies energies() const override;
+
+  /// Newton iterations of the window, over all sub-steps and bodies.
+  std::vector<Column> columns() const override { return {{"newton_iterations", "-"}}; }
+  std::vector<double> values() const override { return {static_cast<double>(iterations_)}; }
+
+  std::string save() const override;
+  void restore(const std::string& state) override;
+  Snapshot frame() const override { return bodies_.frame(displacements(), velocities()); }
+
+ private:
+  using Vectors = typename MeshedBodies<dim>::Vectors;
+
+  Vectors displacements() const;
+  Vectors velocities() const;
+  void check_step(const NewtonReport& report, const Window& window, std::size_t body, double dt) const;
+
+  MeshedBodies<dim> bodies_;
+  std::deque<GeneralisedAlpha<dim>> motions_;  // of each body; a deque, as they cannot be moved
+  double substep_;                             // 0: the window
+  Vectors ramp_increment_;
+  int iterations_ = 0;
+};
+
+}  // namespace cosurge::fem

@@ -1,0 +1,65 @@
+// Implicit time integration with chosen damping of the shortest oscillations.
+#pragma once
+
+#include <Eigen/SparseCholesky>
+
+#include "common/state_bytes.hpp"
+#include "solid_solver/models/fem/fem_body.hpp"
+
+namespace cosurge::fem {
+
+/// Constants of the generalised-alpha method (Chung & Hulbert 1993; docs/method_solid.md, S25): second order,
+/// and for linear systems unconditionally stable. rho_infinity is the factor on the amplitude of infinitely
+/// fast oscillations per step: 1 damps nothing, 0 all of them.
+struct AlphaConstants {
+  double alpha_m, alpha_f, beta, gamma;
+
+  explicit AlphaConstants(double rho_infinity)
+      : alpha_m((2 * rho_infinity - 1) / (rho_infinity + 1)),
+        alpha_f(rho_infinity / (rho_infinity + 1)),
+        beta(0.25 * (1 - alpha_m + alpha_f) * (1 - alpha_m + alpha_f)),
+        gamma(0.5 - alpha_m + alpha_f) {}
+};
+
+/// How a step's Newton iteration went.
+struct [[nodiscard]] NewtonReport {
+  int iterations;
+  double residual;      ///< over the largest force of the balance [-]
+  double least_volume;  ///< smallest det F
+  bool converged;       ///< false as well where an element is turned inside out
+};
+
+/// The motion of one body.
+template <int dim>
+class GeneralisedAlpha {
+ public:
+  GeneralisedAlpha(const FemBody<dim>& body, double rho_infinity);
+
+  /// Where in a step, as a fraction of it, the load is taken.
+  double load_instant() const { return 1 - constants_.alpha_f; }
+
+  /// The acceleration of the first step, in balance with the load [N] before it; later calls do nothing.
+  void start(const Vector& load);
+
+  /// One step of dt [s] under a load [N] by Newton's method with a direct solver. The state is of no use
+  /// where the report says that it did not converge.
+  NewtonReport step(const Vector& load, double dt);
+
+  const Vector& displacement() const { return u_; }  ///< [m]
+  const Vector& velocity() const { return v_; }      ///< [m/s]
+
+  /// Sets the motion; the next step finds the acceleration anew.
+  void place(const Vector& displacement, const Vector& velocity);
+
+  void save(StateWriter& state) const;
+  void restore(StateReader& state);
+
+ private:
+  const FemBody<dim>& body_;
+  AlphaConstants constants_;
+  Eigen::SimplicialLDLT<Matrix> solver_;
+  Vector u_, v_, a_;
+  bool started_ = false;
+};
+
+}  // namespace cosurge::fem

@@ -1,0 +1,128 @@
+#include "solid_solver/models/fem/meshed_bodies.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/error.hpp"
+
+namespace cosurge::fem {
+namespace {
+
+constexpr double rounding = 1e-6;  // of a spacing
+
+}  // namespace
+
+template <int dim>
+MeshedBodies<dim>::MeshedBodies(const v1::Solid& solid, double spacing, const Vec<dim>& gravity)
+    : material_{.density = solid.density(),
+                .young_modulus = solid.young_modulus(),
+                .poisson_ratio = solid.poisson_ratio()},
+      spacing_(spacing) {
+  first_.push_back(0);
+  for (int b = 0; b < solid.body_size(); ++b) {
+    bodies_.emplace_back(solid.body(b), b, solid.fem().element(), material_, gravity);
+    const Mesh<dim>& mesh = bodies_.back().mesh();
+    first_.push_back(first_.back() + mesh.nodes());
+    for (const Vec<dim>& x : fill(mesh.box(), spacing))
+      sites_.push_back({.body = static_cast<std::size_t>(b), .position = x, .place = mesh.place(x)});
+  }
+}
+
+template <int dim>
+Interpolation MeshedBodies<dim>::interpolation(const Field& position, const std::vector<int>& body) const {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Eigen::Index point = 0; point < position.cols(); ++point) {
+    const Vec<dim> x = position.col(point);
+    const auto b = static_cast<std::size_t>(body[static_cast<std::size_t>(point)]);
+    const Mesh<dim>& mesh = bodies_.at(b).mesh();
+    if (mesh.only_in_clamp(x)) continue;
+    require(mesh.outside(x) <= (0.5 + rounding) * spacing_,
+            "solid: the point ({}) lies {:.3g} m outside body {}, which it is to follow",
+            fmt::join(x.begin(), x.end(), ", "), mesh.outside(x), b);
+    const auto place = mesh.place(x);
+    const auto N = QuadraticElement<dim>::values(place.xi);
+    for (int a = 0; a < N.size(); ++a)
+      entries.emplace_back(static_cast<int>(point), static_cast<int>(first_[b] + mesh.node(place.element, a)),
+                           N[a]);
+  }
+  Interpolation H(position.cols(), nodes());
+  H.setFromTriplets(entries.begin(), entries.end());
+  return H;
+}
+
+template <int dim>
+Vector MeshedBodies<dim>::of_body(std::size_t b, const Field& nodal) const {
+  return bodies_[b].from_nodes(nodal.middleCols(first_[b], first_[b + 1] - first_[b]));
+}
+
+template <int dim>
+Field MeshedBodies<dim>::to_nodes(const Vectors& values) const {
+  Field all(dim, nodes());
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    all.middleCols(first_[b], first_[b + 1] - first_[b]) = bodies_[b].to_nodes(values[b]);
+  return all;
+}
+
+template <int dim>
+typename FemBody<dim>::Deformation MeshedBodies<dim>::deformation(const Vectors& u) const {
+  typename FemBody<dim>::Deformation largest;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const auto one = bodies_[b].deformation(u[b]);
+    largest.rotation = std::max(largest.rotation, one.rotation);
+    largest.strain = std::max(largest.strain, one.strain);
+  }
+  return largest;
+}
+
+template <int dim>
+double MeshedBodies<dim>::max_speed(const Vectors& v) const {
+  return to_nodes(v).colwise().norm().maxCoeff();
+}
+
+template <int dim>
+void MeshedBodies<dim>::check_motion(const Window& window, const Vectors& v) const {
+  const double limit = material_.pressure_speed();
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const Field velocity = bodies_[b].to_nodes(v[b]);
+    for (Eigen::Index n = 0; n < velocity.cols(); ++n) {
+      const double speed = velocity.col(n).norm();
+      if (speed <= limit) continue;  // false for NaN
+      const Vec<dim> x = bodies_[b].mesh().position().col(n);
+      throw NumericalError(fmt::format(
+          "solid: the node at ({:.6g}) of body {}, when undeformed, moves at {:.4g} m/s in the window from t "
+          "= "
+          "{:.6g} s; the material's waves make {:.4g} m/s. The load may alternate from window to window "
+          "(coupling.load = \"ramped\", a shorter time.window, or a heavier body)",
+          fmt::join(x.begin(), x.end(), ", "), b, speed, window.start, limit));
+    }
+  }
+}
+
+template <int dim>
+Snapshot MeshedBodies<dim>::frame(const Vectors& u, const Vectors& v) const {
+  Array position{.name = "solid_position", .unit = "m", .components = dim, .values = {}};
+  Array velocity{.name = "solid_velocity", .unit = "m/s", .components = dim, .values = {}};
+  Array stress{.name = "solid_von_mises", .unit = "Pa", .components = 1, .values = {}};
+  const Field q = to_nodes(u), qdot = to_nodes(v);
+  for (const Site& site : sites_) {
+    const FemBody<dim>& body = bodies_[site.body];
+    const auto N = QuadraticElement<dim>::values(site.place.xi);
+    Vec<dim> x = site.position, xdot = Vec<dim>::Zero();
+    for (int a = 0; a < N.size(); ++a) {
+      const Eigen::Index node = first_[site.body] + body.mesh().node(site.place.element, a);
+      x += N[a] * q.col(node);
+      xdot += N[a] * qdot.col(node);
+    }
+    for (int k = 0; k < dim; ++k) {
+      position.values.push_back(static_cast<float>(x[k]));
+      velocity.values.push_back(static_cast<float>(xdot[k]));
+    }
+    const Mat<dim> F = Mat<dim>::Identity() + body.displacement_gradient(u[site.body], site.place);
+    stress.values.push_back(static_cast<float>(von_mises_stress<dim>(F, material_)));
+  }
+  return {std::move(position), std::move(velocity), std::move(stress)};
+}
+
+template class MeshedBodies<2>;
+
+}  // namespace cosurge::fem

@@ -1,0 +1,58 @@
+// All bodies of a scene as finite elements: what the models on them share.
+#pragma once
+
+#include <vector>
+
+#include "solid_solver/models/fem/fem_body.hpp"
+
+namespace cosurge::fem {
+
+/// Nodes are those of the meshes, body after body. Frames show the lattice that the water's spacing makes of
+/// the bodies, as for the other models.
+template <int dim>
+class MeshedBodies {
+ public:
+  /// Vectors over the unknowns, one a body.
+  using Vectors = std::vector<Vector>;
+
+  /// @param spacing of frames, and twice how far a point may lie outside its body [m]
+  /// @throws Error as Mesh does
+  MeshedBodies(const v1::Solid& solid, double spacing, const Vec<dim>& gravity);
+
+  const Elasticity& material() const { return material_; }
+  const std::vector<FemBody<dim>>& bodies() const { return bodies_; }
+  Eigen::Index nodes() const { return first_.back(); }
+  std::uint64_t particles() const { return sites_.size(); }
+
+  /// The elements' shape functions at the points (S24); see SolidModel::interpolation.
+  Interpolation interpolation(const Field& position, const std::vector<int>& body) const;
+
+  /// The part of body b of a nodal field, over its unknowns.
+  Vector of_body(std::size_t b, const Field& nodal) const;
+  Field to_nodes(const Vectors& values) const;
+
+  /// Largest over all bodies.
+  typename FemBody<dim>::Deformation deformation(const Vectors& u) const;
+  double max_speed(const Vectors& v) const;
+
+  /// @throws NumericalError for a node that moves faster than the material's waves, or nowhere.
+  void check_motion(const Window& window, const Vectors& v) const;
+
+  Snapshot frame(const Vectors& u, const Vectors& v) const;
+
+ private:
+  /// A point of the frames.
+  struct Site {
+    std::size_t body;
+    Vec<dim> position;
+    typename Mesh<dim>::Place place;
+  };
+
+  Elasticity material_;
+  double spacing_;
+  std::vector<FemBody<dim>> bodies_;
+  std::vector<Eigen::Index> first_;  // node of each body, and their number
+  std::vector<Site> sites_;
+};
+
+}  // namespace cosurge::fem

@@ -1,0 +1,56 @@
+// The model `modal`: the lowest modes of the finite-element bodies.
+#pragma once
+
+#include "solid_solver/models/fem/meshed_bodies.hpp"
+#include "solid_solver/models/modal/modes.hpp"
+
+namespace cosurge::modal {
+
+/// u = sum phi_i eta_i about the undeformed bodies, each mode advanced exactly over the window, without
+/// damping. For small deflection only: rotation and strain are reported, so that a user sees where that ends.
+template <int dim>
+class ModalModel : public SolidModel {
+ public:
+  /// @param spacing of the points that follow the bodies [m]
+  ModalModel(const v1::Solid& solid, double spacing, const Vec<dim>& gravity);
+
+  /// Of body b.
+  const Modes& modes(std::size_t b) const { return modes_.at(b); }
+
+  Eigen::Index nodes() const override { return bodies_.nodes(); }
+  std::uint64_t particles() const override { return bodies_.particles(); }
+  Interpolation interpolation(const Field& position, const std::vector<int>& body) const override {
+    return bodies_.interpolation(position, body);
+  }
+  double substep() const override { return 0; }
+
+  /// One step, the window, under the linear load itself.
+  int advance(const Window& window, const NodalLoad& load) override;
+  Field displacement() const override { return bodies_.to_nodes(expand(position_)); }
+  Field ramp_increment() const override { return bodies_.to_nodes(expand(ramp_increment_)); }
+  double max_speed() const override { return bodies_.max_speed(expand(velocity_)); }
+  Energies energies() const override;
+
+  /// The assumption: small angles and strains.
+  std::vector<Column> columns() const override {
+    return {{"largest_rotation", "rad"}, {"largest_strain", "-"}};
+  }
+  std::vector<double> values() const override;
+
+  std::string save() const override;
+  void restore(const std::string& state) override;
+  Snapshot frame() const override { return bodies_.frame(expand(position_), expand(velocity_)); }
+
+ private:
+  using Vectors = typename fem::MeshedBodies<dim>::Vectors;
+
+  /// From modes to the unknowns of the bodies.
+  Vectors expand(const Vectors& amplitudes) const;
+
+  fem::MeshedBodies<dim> bodies_;
+  std::vector<Modes> modes_;
+  Vectors weight_;  // gravity's load on the modes
+  Vectors position_, velocity_, ramp_increment_;
+};
+
+}  // namespace cosurge::modal

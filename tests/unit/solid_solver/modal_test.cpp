@@ -1,0 +1,184 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "solid_solver/models/modal/modal_model.hpp"
+#include "solid_solver/models/modal/oscillator.hpp"
+#include "tests/support/loaded_solid.hpp"
+
+namespace cosurge::modal {
+namespace {
+
+using test::l0;
+using test::LoadedSolid;
+
+/// Frequencies [Hz] of a plate's lowest modes.
+Eigen::ArrayXd frequencies(const test::SolidParameters& p, double element, int count) {
+  const v1::Case c = test::plate(p);
+  const Elasticity material{
+      .density = p.density, .young_modulus = p.young_modulus, .poisson_ratio = p.poisson_ratio};
+  const fem::FemBody<2> body(c.solid().body(0), 0, element, material, Vec<2>::Zero());
+  return lowest_modes(body, material, count).omega_squared.array().sqrt() / (2 * std::numbers::pi);
+}
+
+TEST(Stumpff, SeriesAndClosedFormMeet) {
+  for (const double x : {0.25, 1 - 1e-12, 1.0, 9.0}) {
+    const auto c = stumpff(x);
+    const long double w = std::sqrt(static_cast<long double>(x));
+    EXPECT_NEAR(c[0], static_cast<double>(std::cos(w)), 1e-15);
+    EXPECT_NEAR(c[1], static_cast<double>(std::sin(w) / w), 1e-15);
+    EXPECT_NEAR(c[2], static_cast<double>((1 - std::cos(w)) / (w * w)), 1e-15);
+    EXPECT_NEAR(c[3], static_cast<double>((w - std::sin(w)) / (w * w * w)), 1e-15);
+    EXPECT_NEAR(c[4], static_cast<double>((w * w / 2 - 1 + std::cos(w)) / (w * w * w * w)), 1e-15);
+  }
+}
+
+TEST(Oscillator, OneStepIsManyStepsOfAnyOtherMethod) {
+  const double omega_squared = 30, first = 2, last = -5, h = 0.7;
+  Oscillator exact{.position = 0.3, .velocity = -1.1};
+  const double late = exact.advance(omega_squared, first, last, h);
+  // Velocity Verlet, second order: (omega dt)^2 / 24 = 6e-12 of the phase.
+  const int steps = 400'000;
+  const double dt = h / steps;
+  double x = 0.3, v = -1.1, z = 0;
+  const auto acceleration = [&](double s) { return first + s * (last - first) - omega_squared * x; };
+  for (int k = 0; k < steps; ++k) {
+    v += 0.5 * dt * acceleration(static_cast<double>(k) / steps);
+    x += dt * v;
+    z += (k + 0.5) / steps * dt * v;
+    v += 0.5 * dt * acceleration((k + 1.0) / steps);
+  }
+  EXPECT_NEAR(exact.position, x, 1e-9);
+  EXPECT_NEAR(exact.velocity, v, 1e-9);
+  EXPECT_NEAR(late, z, 1e-9);
+}
+
+TEST(Oscillator, WithoutAStiffnessItFalls) {
+  Oscillator free{.position = 1, .velocity = 2};
+  const double late = free.advance(0, 3, 3, 0.5);
+  EXPECT_NEAR(free.position, 1 + 2 * 0.5 + 3 * 0.125, 1e-15);
+  EXPECT_NEAR(free.velocity, 3.5, 1e-15);
+  EXPECT_NEAR(late, 2 * 0.25 + 3 * 0.125 * 2 / 3, 1e-15);  // integral of t / h (2 + 3 t) dt
+}
+
+TEST(Modes, AreOrthogonalAndOfUnitMass) {
+  const v1::Case c = test::plate({});
+  const Elasticity material{.density = 2500, .young_modulus = 1e6, .poisson_ratio = 0.3};
+  const fem::FemBody<2> body(c.solid().body(0), 0, 0, material, Vec<2>::Zero());
+  const Modes modes = lowest_modes(body, material, 12);
+  const Eigen::MatrixXd shapes = modes.shapes;
+  const Eigen::MatrixXd mass = shapes.transpose() * (body.mass().selfadjointView<Eigen::Lower>() * shapes);
+  const fem::Matrix K = body.tangent(fem::Vector::Zero(body.unknowns()));
+  const Eigen::MatrixXd stiffness = shapes.transpose() * (K.selfadjointView<Eigen::Lower>() * shapes);
+  const Eigen::MatrixXd omega_squared = modes.omega_squared.asDiagonal();
+  EXPECT_LT((mass - Eigen::MatrixXd::Identity(12, 12)).norm(), 1e-10);  // tolerance of the iteration 1e-12
+  EXPECT_LT((stiffness - omega_squared).norm(), 1e-9 * omega_squared.norm());
+}
+
+TEST(Modes, AFreeBodyHasThreeThatCostNothing) {
+  const Eigen::ArrayXd f = frequencies({.columns = 12, .rows = 40, .clamped = false}, 0, 5);
+  EXPECT_EQ(f[0], 0);
+  EXPECT_EQ(f[1], 0);
+  EXPECT_EQ(f[2], 0);
+  EXPECT_GT(f[3], 10);
+}
+
+TEST(Modes, TheFirstIsThatOfATimoshenkoBeam) {
+  const double f1 = frequencies({}, 0, 1)[0];
+  RecordProperty("frequency", fmt::format("{:.4f}", f1));
+  EXPECT_NEAR(f1 / 5.970, 1, 0.005);  // measured: 1.0002
+}
+
+TEST(Modes, AClampThatLetsNothingContractIsStifferThanABeamTheoryKnows) {
+  // With Poisson's ratio 0.3 two dimensions tend to 15.831 Hz, 0.33 % above Timoshenko's beam in plane
+  // strain, 15.78 Hz: the foot cannot contract sideways. Elements of 12, 6, 3, 1.5 and 0.75 mm.
+  const test::SolidParameters plate{.young_modulus = 2e7, .poisson_ratio = 0.3, .density = 7800};
+  double before = 0, step_before = 0;
+  for (const double element : {0.012, 0.006, 0.003, 0.0015}) {
+    const double f1 = frequencies(plate, element, 1)[0];
+    RecordProperty(fmt::format("f1_{}", element), fmt::format("{:.4f}", f1));
+    if (before > 0) {
+      EXPECT_LT(f1, before);  // elements are too stiff, never too soft
+    }
+    // The corners of the foot are singular: each halving takes a third of what the last one did, not a
+    // sixteenth.
+    if (step_before > 0) {
+      EXPECT_LT(before - f1, 0.5 * step_before);
+    }
+    step_before = before > 0 ? before - f1 : 0;
+    before = f1;
+  }
+  EXPECT_NEAR(before / 15.831, 1, 0.0005);
+  EXPECT_NEAR(frequencies(plate, 0, 1)[0] / 15.831, 1, 0.005);  // the default: measured 1.0019
+}
+
+TEST(Modes, GraysCantileverHasItsPeriod) {
+  // Gray, Monaghan & Swift (2001): 0.254 s of a thin plate; thickness over length 0.1 makes it 0.5 % longer.
+  const double f1 = frequencies(
+      {.columns = 20, .rows = 200, .young_modulus = 2e6, .poisson_ratio = 0.3975, .density = 1000}, 0, 1)[0];
+  RecordProperty("period", fmt::format("{:.5f}", 1 / f1));
+  EXPECT_NEAR(1 / f1 / 0.2540, 1, 0.01);
+}
+
+TEST(ModalModel, MovesAsTheElementsDoWhereDeflectionIsSmall) {
+  // A pulse of 40 ms on the paper's plate: the tip moves 0.2 mm. 12 modes hold 1e-4 of the static deflection.
+  const auto tip = [](v1::SolidModel::Word model) {
+    v1::Case c = test::plate({});
+    c.mutable_solid()->set_model(model);
+    c.mutable_solid()->mutable_fem()->set_rho_infinity(1);
+    c.mutable_solid()->mutable_modal()->set_modes(12);
+    c.mutable_coupling()->set_load(v1::Coupling::ramped);
+    LoadedSolid run(c, test::left_face(80));
+    std::vector<double> history;
+    for (int k = 0; k < 400; ++k) {
+      const double load = k < 80 ? std::pow(std::sin(std::numbers::pi * k / 80), 2) : 0;
+      run.surface.force = Field::Zero(2, 80);
+      run.surface.force.row(0).setConstant(6 * load * l0);
+      history.push_back(run.value(run.advance(5e-4), "tip_x"));
+    }
+    return history;
+  };
+  const std::vector<double> elements = tip(v1::SolidModel::fem), modes = tip(v1::SolidModel::modal);
+  const double peak = *std::max_element(elements.begin(), elements.end());
+  RecordProperty("peak", fmt::format("{:.3e} {:.3e}", peak, *std::max_element(modes.begin(), modes.end())));
+  for (std::size_t k = 0; k < elements.size(); ++k)
+    EXPECT_NEAR(modes[k], elements[k], 0.01 * peak) << "window " << k;
+}
+
+TEST(ModalModel, SaysHowFarItIsFromSmallDeflection) {
+  v1::Case c = test::plate({});
+  c.mutable_solid()->set_model(v1::SolidModel::modal);
+  LoadedSolid run(c, test::left_face(80));
+  double rotation = 0, strain = 0, tip = 0;
+  for (int k = 0; k < 40; ++k) {
+    run.surface.force = Field::Zero(2, 80);
+    run.surface.force.row(0).setConstant(10 * l0);
+    const Report report = run.advance(1e-3);
+    rotation = run.value(report, "largest_rotation");
+    strain = run.value(report, "largest_strain");
+    tip = run.value(report, "tip_x");
+  }
+  ASSERT_GT(tip, 0);
+  // The first mode of a cantilever has the slope 1.377 w / L at its tip and the curvature 3.516 w / L^2 at
+  // its foot. The second mode bends the tip too, and the foot's corners have more strain than a beam.
+  const double slope = 1.377 * tip / 0.08, bending = 3.516 * tip * 0.006 / (0.08 * 0.08);
+  EXPECT_NEAR(rotation / slope, 1, 0.15);
+  EXPECT_GT(strain / bending, 1);
+  EXPECT_LT(strain / bending, 1.5);
+}
+
+TEST(ModalModel, MoreModesThanUnknownsAreRefused) {
+  v1::Case c = test::plate({.columns = 4, .rows = 4});
+  c.mutable_solid()->set_model(v1::SolidModel::modal);
+  c.mutable_solid()->mutable_fem()->set_element(0.004);  // one element, 6 nodes free
+  c.mutable_solid()->mutable_modal()->set_modes(12);
+  EXPECT_THROW(LoadedSolid(c, {}), Error);
+  c.mutable_solid()->mutable_modal()->set_modes(11);
+  EXPECT_NO_THROW(LoadedSolid(c, {}));
+}
+
+}  // namespace
+}  // namespace cosurge::modal
