@@ -44,14 +44,15 @@ class SolidModel {
   /// The sub-step that this model takes where the window allows [s]; 0 where it takes the window.
   virtual double substep() const = 0;
 
-  /// Sub-cycles over one window; returns their number n. Sub-step k sees first + (k + 1/2) / n (last -
-  /// first), the impulse of the linear load (S14).
+  /// Sub-cycles over one window; returns their number n. Sub-step k sees first + s_k (last - first), the
+  /// impulse of the linear load (S14): s_k = (k + 1/2) / n, or the instant at which the model balances its
+  /// forces.
   /// @throws NumericalError where the motion runs away.
   virtual int advance(const Window& window, const NodalLoad& load) = 0;
 
   virtual Field displacement() const = 0;  ///< [m] dimension x nodes, at the end of the last window
 
-  /// sum over sub-steps k of (k + 1/2) / n dq_k in the last window [m]: what ramped loads work on (S15).
+  /// sum over sub-steps k of s_k dq_k in the last window [m]: what ramped loads work on (S15).
   virtual Field ramp_increment() const = 0;
 
   virtual double max_speed() const = 0;  ///< [m/s] of the nodes

@@ -1,12 +1,16 @@
 #include "solid_solver/models/fem/generalised_alpha.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace cosurge::fem {
 namespace {
 
 constexpr double tolerance = 1e-10;  // of the gross forces, whose rounding is 1e-14
 constexpr int most_iterations = 30;
+constexpr double slow = 0.1;  // of the residual left by an iteration: a new tangent costs as much as ten
+constexpr double near = 0.1;  // of the step: beyond it the tangent of another one is not tried
 
 double largest(const Vector& x) { return x.size() == 0 ? 0 : x.template lpNorm<Eigen::Infinity>(); }
 
@@ -18,7 +22,8 @@ GeneralisedAlpha<dim>::GeneralisedAlpha(const FemBody<dim>& body, double rho_inf
       constants_(rho_infinity),
       u_(Vector::Zero(body.unknowns())),
       v_(Vector::Zero(body.unknowns())),
-      a_(Vector::Zero(body.unknowns())) {
+      a_(Vector::Zero(body.unknowns())),
+      tangent_at_(Vector::Zero(body.unknowns())) {
   solver_.analyzePattern(body.mass());
 }
 
@@ -26,44 +31,71 @@ template <int dim>
 void GeneralisedAlpha<dim>::start(const Vector& load) {
   if (started_) return;
   solver_.factorize(body_.mass());
+  tangent_dt_ = 0;
   a_ = solver_.solve(load + body_.weight() - body_.internal_force(u_).force);
   started_ = true;
 }
 
 template <int dim>
 NewtonReport GeneralisedAlpha<dim>::step(const Vector& load, double dt) {
-  const auto& [alpha_m, alpha_f, beta, gamma] = constants_;
   const Vector external = load + body_.weight();
-  const Vector coasting = u_ + dt * v_ + dt * dt * (0.5 - beta) * a_;
-  // Starts from the displacement before: a stiff body's acceleration tells nothing of its next one.
-  Vector a = (u_ - coasting) / (beta * dt * dt);
+  const bool alike = std::abs(dt - tangent_dt_) <= near * dt;
   NewtonReport report{.iterations = 0, .residual = 0, .least_volume = 1, .converged = false};
+  Vector a;
+  if (alike) report = balance(external, dt, Tangent::kept, a);
+  if (!report.converged) {
+    const int in_vain = report.iterations;
+    report = balance(external, dt, Tangent::fresh, a);
+    report.iterations += in_vain;
+  }
+  u_ = coasting(dt) + constants_.beta * dt * dt * a;
+  v_ += dt * ((1 - constants_.gamma) * a_ + constants_.gamma * a);
+  a_ = a;
+  return report;
+}
+
+template <int dim>
+Vector GeneralisedAlpha<dim>::coasting(double dt) const {
+  return u_ + dt * v_ + dt * dt * (0.5 - constants_.beta) * a_;
+}
+
+template <int dim>
+NewtonReport GeneralisedAlpha<dim>::balance(const Vector& external, double dt, Tangent tangent, Vector& a) {
+  const auto& [alpha_m, alpha_f, beta, gamma] = constants_;
+  const Vector start = coasting(dt);
+  // From the displacement before: a stiff body's acceleration tells nothing of its next one.
+  a = (u_ - start) / (beta * dt * dt);
+  NewtonReport report{.iterations = 0, .residual = 0, .least_volume = 1, .converged = false};
+  double before = std::numeric_limits<double>::infinity();
   while (true) {
-    const Vector u = (1 - alpha_f) * (coasting + beta * dt * dt * a) + alpha_f * u_;
+    const Vector u = (1 - alpha_f) * (start + beta * dt * dt * a) + alpha_f * u_;
     const auto internal = body_.internal_force(u);
     const Vector inertia = body_.momentum((1 - alpha_m) * a + alpha_m * a_);
     const Vector residual = external - internal.force - inertia;
     const double gross = std::max({internal.gross, largest(external), largest(inertia)});
     report.residual = gross > 0 ? largest(residual) / gross : 0;
     report.least_volume = internal.least_volume;
-    report.converged = report.residual <= tolerance && internal.least_volume > 0;
-    // The first pass is a linear step at least: forces that are small beside the gross ones move the body
-    // too.
-    const bool settled = report.residual <= tolerance && report.iterations > 0;
-    if (settled || gross == 0 || !std::isfinite(residual.sum()) || report.iterations == most_iterations)
-      break;
-    Matrix system = body_.tangent(u);
-    system.coeffs() =
-        (1 - alpha_f) * beta * dt * dt * system.coeffs() + (1 - alpha_m) * body_.mass().coeffs();
-    solver_.factorize(system);
-    if (solver_.info() != Eigen::Success) break;
+    // One pass at least: forces that are small beside the gross ones move the body too.
+    const bool settled = gross == 0 || (report.residual <= tolerance && report.iterations > 0);
+    report.converged = settled && internal.least_volume > 0;
+    if (settled || !std::isfinite(residual.sum()) || report.iterations == most_iterations) return report;
+    if (tangent == Tangent::kept && report.residual > slow * before) return report;
+    if (tangent == Tangent::fresh && !factorize(u, dt)) return report;
     a += solver_.solve(residual);
+    before = report.residual;
     ++report.iterations;
   }
-  u_ = coasting + beta * dt * dt * a;
-  v_ += dt * ((1 - gamma) * a_ + gamma * a);
-  a_ = a;
-  return report;
+}
+
+template <int dim>
+bool GeneralisedAlpha<dim>::factorize(const Vector& u, double dt) {
+  const auto& [alpha_m, alpha_f, beta, gamma] = constants_;
+  Matrix system = body_.tangent(u);
+  system.coeffs() = (1 - alpha_f) * beta * dt * dt * system.coeffs() + (1 - alpha_m) * body_.mass().coeffs();
+  solver_.factorize(system);
+  tangent_at_ = u;
+  tangent_dt_ = solver_.info() == Eigen::Success ? dt : 0;
+  return tangent_dt_ > 0;
 }
 
 template <int dim>
@@ -75,14 +107,18 @@ void GeneralisedAlpha<dim>::place(const Vector& displacement, const Vector& velo
 
 template <int dim>
 void GeneralisedAlpha<dim>::save(StateWriter& state) const {
-  for (const Vector* values : {&u_, &v_, &a_}) state.put(*values);
+  for (const Vector* values : {&u_, &v_, &a_, &tangent_at_}) state.put(*values);
+  state.put(tangent_dt_);
   state.put(started_);
 }
 
 template <int dim>
 void GeneralisedAlpha<dim>::restore(StateReader& state) {
-  for (Vector* values : {&u_, &v_, &a_}) state.get(*values);
+  for (Vector* values : {&u_, &v_, &a_, &tangent_at_}) state.get(*values);
+  state.get(tangent_dt_);
   state.get(started_);
+  // The same bits as the factors that the state was saved with.
+  if (tangent_dt_ > 0) factorize(Vector(tangent_at_), tangent_dt_);
 }
 
 template class GeneralisedAlpha<2>;

@@ -41,8 +41,9 @@ class GeneralisedAlpha {
   /// The acceleration of the first step, in balance with the load [N] before it; later calls do nothing.
   void start(const Vector& load);
 
-  /// One step of dt [s] under a load [N] by Newton's method with a direct solver. The state is of no use
-  /// where the report says that it did not converge.
+  /// One step of dt [s] under a load [N] by Newton's method with a direct solver; the factors of the last
+  /// tangent are kept as long as they do. The state is of no use where the report says that it did not
+  /// converge.
   NewtonReport step(const Vector& load, double dt);
 
   const Vector& displacement() const { return u_; }  ///< [m]
@@ -55,10 +56,18 @@ class GeneralisedAlpha {
   void restore(StateReader& state);
 
  private:
+  enum class Tangent { kept, fresh };  // from earlier, or anew in every iteration
+
+  Vector coasting(double dt) const;  // the part of the next displacement that is known
+  NewtonReport balance(const Vector& external, double dt, Tangent tangent, Vector& a);
+  bool factorize(const Vector& u, double dt);
+
   const FemBody<dim>& body_;
   AlphaConstants constants_;
   Eigen::SimplicialLDLT<Matrix> solver_;
   Vector u_, v_, a_;
+  Vector tangent_at_;      // the displacement and the step of the factors
+  double tangent_dt_ = 0;  // 0: there are none
   bool started_ = false;
 };
 
