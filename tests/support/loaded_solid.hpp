@@ -22,7 +22,7 @@ struct LoadedSolid {
     setup = solid.initialize(c, interface, surface);
   }
   Report advance(double size) {
-    const Report report = solid.advance({.index = windows++, .start = time, .size = size}, surface);
+    Report report = solid.advance({.index = windows++, .start = time, .size = size}, surface);
     time += size;
     return report;
   }
