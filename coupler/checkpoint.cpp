@@ -9,6 +9,7 @@
 #include "common/state_bytes.hpp"
 #include "common/version.hpp"
 #include "coupler/replace_file.hpp"
+#include "coupler/result_file.hpp"
 
 namespace cosurge {
 namespace {
@@ -16,13 +17,6 @@ namespace {
 constexpr double rounding = 1e-9;  // s: rows of the checkpoint's own window are at its time, to the bit
 
 std::string signature() { return std::string("cosurge checkpoint ") + version; }
-
-std::vector<hsize_t> extent(const H5::DataSet& dataset) {
-  const H5::DataSpace space = dataset.getSpace();
-  std::vector<hsize_t> size(static_cast<std::size_t>(space.getSimpleExtentNdims()));
-  space.getSimpleExtentDims(size.data());
-  return size;
-}
 
 std::vector<double> column(const H5::H5File& file, const std::string& name) {
   const H5::DataSet dataset = file.openDataSet(name);

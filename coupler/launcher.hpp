@@ -63,6 +63,7 @@ class Solver {
 
   /// After join().
   RemoteParticipant& participant() { return *participant_; }
+  const RemoteParticipant& participant() const { return *participant_; }
 
   /// Ends the solver if it has not ended: tells it why, waits `grace`, then uses force on a process. True
   /// where it had ended without an error (always, for one started by hand).

@@ -36,13 +36,6 @@ H5::StrType text_type() {
   return type;
 }
 
-std::vector<hsize_t> extent(const H5::DataSet& dataset) {
-  const H5::DataSpace space = dataset.getSpace();
-  std::vector<hsize_t> size(static_cast<std::size_t>(space.getSimpleExtentNdims()));
-  space.getSimpleExtentDims(size.data());
-  return size;
-}
-
 /// Appends `rows` entries of the first dimension.
 void extend(H5::DataSet& dataset, hsize_t rows, const void* values, const H5::DataType& type) {
   std::vector<hsize_t> size = extent(dataset);
@@ -57,6 +50,13 @@ void extend(H5::DataSet& dataset, hsize_t rows, const void* values, const H5::Da
 }
 
 }  // namespace
+
+std::vector<hsize_t> extent(const H5::DataSet& dataset) {
+  const H5::DataSpace space = dataset.getSpace();
+  std::vector<hsize_t> size(static_cast<std::size_t>(space.getSimpleExtentNdims()));
+  space.getSimpleExtentDims(size.data());
+  return size;
+}
 
 template <typename Action>
 void ResultFile::attempt(const std::string& doing, Action action) {

@@ -7,10 +7,14 @@
 #include <map>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "common/participant.hpp"
 
 namespace cosurge {
+
+/// Lengths of a dataset's dimensions.
+std::vector<hsize_t> extent(const H5::DataSet& dataset);
 
 /// A file that grows. What was there at the last flush() can be read by any HDF5 reader at any time: while
 /// the run goes on, and after it was killed. For that

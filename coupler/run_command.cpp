@@ -101,7 +101,7 @@ class Solvers {
   double exchange_seconds() const {
     double sum = 0;
     for (const auto* solver : {&fluid_, &solid_})
-      if (*solver) sum += const_cast<std::optional<Solver>&>(*solver)->participant().cost().exchange();
+      if (*solver) sum += (*solver)->participant().cost().exchange();
     return sum;
   }
 
