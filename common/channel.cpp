@@ -68,8 +68,11 @@ void Channel::send_bytes(std::string_view bytes) { put(zmq::message_t(bytes.data
 void Channel::put(zmq::message_t&& bytes) {
   const std::size_t size = bytes.size();
   // ZeroMQ may keep a message for a lost peer, and closing would wait for its delivery.
-  if (lost_ || !line_->put(std::move(bytes)))
-    throw PeerLost(fmt::format("{}: nobody there to take a message", peer()));
+  if (lost_ || !line_->put(std::move(bytes))) {
+    zmq::message_t unread;
+    const auto cause = lost_ ? std::nullopt : cause_of_end(unread);
+    throw PeerLost(fmt::format("{}: {}", peer(), cause.value_or("nobody there to take a message")));
+  }
   ++traffic_.messages;
   traffic_.bytes_sent += size;
 }
