@@ -1,8 +1,6 @@
 #include "fluid_solver/pressure/aggregation.hpp"
 
 #include <algorithm>
-#include <cassert>
-#include <map>
 
 #include "common/ordered_sum.hpp"
 
@@ -11,60 +9,51 @@ namespace {
 
 using Cell = std::array<int, 3>;
 
-constexpr int reach = 2;  // cells to each side that a row can touch: r_e of the Laplacian over the cell size
-constexpr int side = 2 * reach + 1;
-constexpr int stencil = side * side * side;
+constexpr int widest = 125;  // aggregates that the rows of one can touch: those within two cells
 
-int offset(const Cell& from, const Cell& to) {
-  const int dx = to[0] - from[0] + reach;
-  const int dy = to[1] - from[1] + reach;
-  const int dz = to[2] - from[2] + reach;
-  assert(dx >= 0 && dx < side && dy >= 0 && dy < side && dz >= 0 && dz < side);
-  return (dz * side + dy) * side + dx;
+/// Number of the group of 2 x 2 (x 2) cells that each cell belongs to, in the order of the groups' first
+/// cells.
+std::vector<std::int32_t> pair_up(const std::vector<Cell>& cells, std::vector<Cell>& groups) {
+  Cell size{};
+  for (const Cell& cell : cells)
+    for (int k = 0; k < 3; ++k) size[k] = std::max(size[k], (cell[k] >> 1) + 1);
+  std::vector<std::int32_t> number(static_cast<std::size_t>(size[0]) * size[1] * size[2], -1);
+  std::vector<std::int32_t> group;
+  for (const Cell& cell : cells) {
+    const Cell parent{cell[0] >> 1, cell[1] >> 1, cell[2] >> 1};
+    std::int32_t& own =
+        number[(static_cast<std::size_t>(parent[2]) * size[1] + parent[1]) * size[0] + parent[0]];
+    if (own < 0) {
+      own = static_cast<std::int32_t>(groups.size());
+      groups.push_back(parent);
+    }
+    group.push_back(own);
+  }
+  return group;
 }
 
-/// One row of a coarse matrix while it is summed up: weights by relative cell, so that no search is needed.
-struct RowSum {
-  std::array<float, stencil> weight{};
-  std::array<std::int32_t, stencil> column{};
-  std::array<int, stencil> used{};
-  int count = 0;
-
-  void add(int at, std::int32_t to, float w) {
-    if (weight[at] == 0) {
-      used[count++] = at;
-      column[at] = to;
-    }
-    weight[at] += w;
+/// The members of each group, one group after the other: members[begin[g]] ... members[begin[g + 1]].
+struct Members {
+  Members(const std::vector<std::int32_t>& group, std::size_t groups)
+      : begin(groups + 1), member(group.size()) {
+    for (const std::int32_t g : group) ++begin[static_cast<std::size_t>(g) + 1];
+    for (std::size_t g = 0; g < groups; ++g) begin[g + 1] += begin[g];
+    std::vector<std::int32_t> next(begin.begin(), begin.end() - 1);
+    for (std::size_t i = 0; i < group.size(); ++i) member[next[group[i]]++] = static_cast<std::int32_t>(i);
   }
-
-  template <typename Level>
-  void flush(Level& level) {
-    std::sort(used.begin(), used.begin() + count);
-    for (int k = 0; k < count; ++k) {
-      level.column.push_back(column[used[k]]);
-      level.weight.push_back(weight[used[k]]);
-      weight[used[k]] = 0;
-    }
-    count = 0;
-    level.begin.push_back(static_cast<std::int32_t>(level.column.size()));
-  }
+  std::vector<std::int32_t> begin;
+  std::vector<std::int32_t> member;
 };
 
 }  // namespace
 
 void Aggregation::set_up(const Matrix& A, const CellsOfUnknowns& cells) {
   A_ = &A;
-  const auto size = static_cast<std::size_t>(A.size());
-  inverse_diagonal_.resize(size);
-  for (std::size_t i = 0; i < size; ++i) inverse_diagonal_[i] = static_cast<float>(1.0 / A.diagonal[i]);
-  for (auto* v : {&r_, &x_}) v->resize(size);
   first_ = cells.first;
   coarse_.clear();
-  first_level(A, cells);
+  coarse_.push_back(first_level(A, cells));
   while (coarse_.back().size() > directly) {
-    Level next;
-    next_level(coarse_.back(), next);
+    Level next = next_level(coarse_.back());
     const bool shrinks = next.size() < coarse_.back().size();
     coarse_.push_back(std::move(next));
     if (!shrinks) break;
@@ -72,69 +61,92 @@ void Aggregation::set_up(const Matrix& A, const CellsOfUnknowns& cells) {
   factorise();
 }
 
-void Aggregation::first_level(const Matrix& A, const CellsOfUnknowns& cells) {
+/// Sums the rows of each cell column by column, and then the columns of each cell around it.
+auto Aggregation::first_level(const Matrix& A, const CellsOfUnknowns& cells) const -> Level {
   Level level;
   level.cell = cells.cell;
-  level.aggregate.resize(static_cast<std::size_t>(A.size()));
-  const int aggregates = static_cast<int>(cells.cell.size());
-  for (int a = 0; a < aggregates; ++a)
-    for (int i = cells.first[a]; i < cells.first[a + 1]; ++i) level.aggregate[i] = a;
-  level.begin = {0};
-  RowSum row;
-  for (int a = 0; a < aggregates; ++a) {
+  level.aggregate = cells.of_unknown;
+  level.diagonal.resize(cells.cell.size());
+  const int width = std::min(Matrix::lanes, A.size());
+  const auto fill = [&](int a, std::int64_t begin) {
+    thread_local std::vector<float> sums;
+    sums.resize(static_cast<std::size_t>(A.size()), 0.0F);
     double diagonal = 0;
-    for (int i = cells.first[a]; i < cells.first[a + 1]; ++i) {
+    for (int i = first_[a]; i < first_[a + 1]; ++i) {
       diagonal += A.diagonal[i];
-      A.each_run(i, [&](const Matrix::Run& run, const float* w) {
-        const int end = run.first + run.length;
-        int b = level.aggregate[run.first];
-        for (int column = run.first; column < end; ++b) {
-          const int stop = std::min(end, cells.first[b + 1]);
-          float sum = 0;
-          for (; column < stop; ++column) sum += w[column - run.first];
-          if (b == a)
-            diagonal -= static_cast<double>(sum);
-          else if (sum != 0)
-            row.add(offset(level.cell[a], level.cell[b]), b, sum);
-        }
-      });
-    }
-    level.diagonal.push_back(static_cast<float>(diagonal));
-    row.flush(level);
-  }
-  coarse_.push_back(std::move(level));
-}
-
-void Aggregation::next_level(const Level& fine, Level& coarse) {
-  std::map<Cell, std::int32_t> numbers;
-  const auto parent = [](const Cell& cell) { return Cell{cell[0] >> 1, cell[1] >> 1, cell[2] >> 1}; };
-  for (const Cell& cell : fine.cell) numbers.emplace(parent(cell), 0);
-  for (auto& [cell, number] : numbers) {
-    number = static_cast<std::int32_t>(coarse.cell.size());
-    coarse.cell.push_back(cell);
-  }
-  std::vector<std::vector<std::int32_t>> members(coarse.cell.size());
-  for (int i = 0; i < fine.size(); ++i) {
-    coarse.aggregate.push_back(numbers.at(parent(fine.cell[i])));
-    members[coarse.aggregate.back()].push_back(i);
-  }
-  coarse.begin = {0};
-  RowSum row;
-  for (int a = 0; a < static_cast<int>(members.size()); ++a) {
-    float diagonal = 0;
-    for (const std::int32_t i : members[a]) {
-      diagonal += fine.diagonal[i];
-      for (int k = fine.begin[i]; k < fine.begin[i + 1]; ++k) {
-        const int b = coarse.aggregate[fine.column[k]];
-        if (b == a)
-          diagonal -= fine.weight[k];
-        else
-          row.add(offset(coarse.cell[a], coarse.cell[b]), b, fine.weight[k]);
+      for (std::int64_t b = A.rows.begin(i); b < A.rows.end(i); ++b) {
+        float* const columns = sums.data() + A.first[b];
+        const float* const w = A.weight.data() + b * Matrix::lanes;
+        for (int k = 0; k < width; ++k) columns[k] += w[k];
       }
     }
-    coarse.diagonal.push_back(diagonal);
-    row.flush(coarse);
-  }
+    std::int64_t end = begin;
+    for (int l = 0; l < cells.lines_per_cell; ++l) {
+      const auto line = cells.line[static_cast<std::size_t>(a) * cells.lines_per_cell + l];
+      for (std::int32_t b = line.begin; b < line.end; ++b) {
+        float sum = 0;
+        for (int column = first_[b]; column < first_[b + 1]; ++column) {
+          sum += sums[column];
+          sums[column] = 0;
+        }
+        if (b == a) {
+          diagonal -= static_cast<double>(sum);
+        } else if (sum != 0) {
+          level.column[end] = b;
+          level.weight[end++] = sum;
+        }
+      }
+    }
+    level.diagonal[a] = static_cast<float>(diagonal);
+    return end - begin;
+  };
+  const auto room = [&](std::int64_t entries) {
+    level.column.resize(static_cast<std::size_t>(entries));
+    level.weight.resize(static_cast<std::size_t>(entries));
+  };
+  level.rows.fill(cells.size(), cells.lines_per_cell * 5, widest, room, fill);
+  return level;
+}
+
+auto Aggregation::next_level(const Level& fine) -> Level {
+  Level level;
+  level.aggregate = pair_up(fine.cell, level.cell);
+  const Members members(level.aggregate, level.cell.size());
+  level.diagonal.resize(level.cell.size());
+  const auto fill = [&](int a, std::int64_t begin) {
+    thread_local std::vector<float> sums;
+    sums.resize(level.cell.size(), 0.0F);
+    float diagonal = 0;
+    std::int64_t end = begin;
+    for (int m = members.begin[a]; m < members.begin[a + 1]; ++m) {
+      const std::int32_t i = members.member[m];
+      diagonal += fine.diagonal[i];
+      for (std::int64_t k = fine.rows.begin(i); k < fine.rows.end(i); ++k) {
+        const std::int32_t b = level.aggregate[fine.column[k]];
+        if (sums[b] == 0) level.column[end++] = b;
+        sums[b] += fine.weight[k];
+      }
+    }
+    std::int64_t kept = begin;
+    for (std::int64_t k = begin; k < end; ++k) {
+      const std::int32_t b = level.column[k];
+      if (b == a) {
+        diagonal -= sums[b];
+      } else {
+        level.column[kept] = b;
+        level.weight[kept++] = sums[b];
+      }
+      sums[b] = 0;
+    }
+    level.diagonal[a] = diagonal;
+    return kept - begin;
+  };
+  const auto room = [&](std::int64_t entries) {
+    level.column.resize(static_cast<std::size_t>(entries));
+    level.weight.resize(static_cast<std::size_t>(entries));
+  };
+  level.rows.fill(static_cast<int>(level.cell.size()), widest / 4, widest, room, fill);
+  return level;
 }
 
 void Aggregation::factorise() {
@@ -145,7 +157,8 @@ void Aggregation::factorise() {
   for (int i = 0; i < last.size(); ++i) {
     // Rounding of the sums must not make a floating group of particles indefinite.
     dense(i, i) = last.diagonal[i] * (1 + 1e-5F);
-    for (int k = last.begin[i]; k < last.begin[i + 1]; ++k) dense(i, last.column[k]) = -last.weight[k];
+    for (std::int64_t k = last.rows.begin(i); k < last.rows.end(i); ++k)
+      dense(i, last.column[k]) = -last.weight[k];
   }
   direct_.compute(dense);
 }
@@ -161,7 +174,8 @@ void Aggregation::cycle(std::size_t depth) {
   }
   const auto coupled = [&](int i, const std::vector<float>& x) {
     float sum = 0;
-    for (int k = level.begin[i]; k < level.begin[i + 1]; ++k) sum += level.weight[k] * x[level.column[k]];
+    for (std::int64_t k = level.rows.begin(i); k < level.rows.end(i); ++k)
+      sum += level.weight[k] * x[level.column[k]];
     return sum;
   };
   for (int i = 0; i < size; ++i) level.x[i] = damping * level.r[i] / level.diagonal[i];
@@ -178,25 +192,19 @@ void Aggregation::cycle(std::size_t depth) {
 
 void Aggregation::apply(const std::vector<double>& r, std::vector<double>& z) {
   const int size = A_->size();
-  Level& next = coarse_.front();
-#pragma omp parallel for simd schedule(static) if (size >= parallel_from)
-  for (int i = 0; i < size; ++i) {
-    r_[i] = static_cast<float>(r[i]);
-    x_[i] = damping * inverse_diagonal_[i] * r_[i];
-  }
+  Level& coarse = coarse_.front();
 #pragma omp parallel for schedule(static) if (size >= parallel_from)
-  for (int a = 0; a < next.size(); ++a) {
-    float sum = 0;
-    for (int i = first_[a]; i < first_[a + 1]; ++i)
-      sum += (1 - damping) * r_[i] + A_->off_diagonal(i, x_.data());  // the residual after the sweep
-    next.r[a] = sum;
+  for (int a = 0; a < coarse.size(); ++a) {
+    double sum = 0;
+    for (int i = first_[a]; i < first_[a + 1]; ++i) sum += r[i];
+    coarse.r[a] = static_cast<float>(sum);
   }
   cycle(0);
 #pragma omp parallel for schedule(static) if (size >= parallel_from)
-  for (int i = 0; i < size; ++i) x_[i] += correction * next.x[next.aggregate[i]];
-#pragma omp parallel for schedule(static) if (size >= parallel_from)
-  for (int i = 0; i < size; ++i)
-    z[i] = x_[i] + damping * (inverse_diagonal_[i] * (r_[i] + A_->off_diagonal(i, x_.data())) - x_[i]);
+  for (int a = 0; a < coarse.size(); ++a) {
+    const auto x = static_cast<double>(correction * coarse.x[a]);
+    for (int i = first_[a]; i < first_[a + 1]; ++i) z[i] = r[i] / A_->diagonal[i] + x;
+  }
 }
 
 }  // namespace cosurge::fluid

@@ -7,14 +7,20 @@ namespace cosurge::fluid {
 namespace {
 
 double dot(const std::vector<double>& a, const std::vector<double>& b) {
-  return ordered_sum(static_cast<int>(a.size()), [&](int i) { return a[i] * b[i]; });
+  return ordered_sum(static_cast<int>(a.size()), [a = a.data(), b = b.data()](int i) { return a[i] * b[i]; });
 }
 
-/// r = b - A x.
-void residual(const Matrix& A, const std::vector<double>& b, const std::vector<double>& x,
-              std::vector<double>& r) {
-  multiply(A, x, r);
-  for (int i = 0; i < A.size(); ++i) r[i] = b[i] - r[i];
+/// r = b - A x; returns r . r.
+double residual(const Matrix& A, const std::vector<double>& b, const std::vector<double>& x,
+                std::vector<double>& r) {
+  return ordered_block_sum(A.size(), [&, x = x.data()](int begin, int end) {
+    double sum = 0;
+    for (int i = begin; i < end; ++i) {
+      r[i] = b[i] - (A.diagonal[i] * x[i] - A.off_diagonal(i, x));
+      sum += r[i] * r[i];
+    }
+    return sum;
+  });
 }
 
 }  // namespace
@@ -33,8 +39,7 @@ SolveReport conjugate_gradient(const Matrix& A, const std::vector<double>& b, Pr
     return {};
   }
   std::vector<double> r(size), z(size), p(size), q(size);
-  residual(A, b, x, r);
-  double norm = std::sqrt(dot(r, r));
+  double norm = std::sqrt(residual(A, b, x, r));
   SolveReport report;
   double rho = 0;
   bool fresh = true;  // the search direction starts anew
@@ -55,15 +60,15 @@ SolveReport conjugate_gradient(const Matrix& A, const std::vector<double>& b, Pr
                            return sum;
                          });
     if (!std::isfinite(alpha)) break;
-    norm = std::sqrt(ordered_sum(size, [&](int i) {
-      x[i] += alpha * p[i];
-      r[i] -= alpha * q[i];
-      return r[i] * r[i];
-    }));
+    norm =
+        std::sqrt(ordered_sum(size, [alpha, x = x.data(), r = r.data(), p = p.data(), q = q.data()](int i) {
+          x[i] += alpha * p[i];
+          r[i] -= alpha * q[i];
+          return r[i] * r[i];
+        }));
     ++report.iterations;
     if (norm > target) continue;
-    residual(A, b, x, r);  // the recurrence may have drifted: go on from the true residual
-    norm = std::sqrt(dot(r, r));
+    norm = std::sqrt(residual(A, b, x, r));  // the recurrence may have drifted: go on from the true residual
     fresh = true;
   }
   report.relative_residual = norm * tolerance / target;

@@ -15,10 +15,22 @@ struct [[nodiscard]] SolveReport {
   bool converged = true;
 };
 
-/// The groups of unknowns that the neighbour search already has: unknowns are numbered by cell.
+/// The groups of unknowns that the neighbour search already has: unknowns are numbered by cell. Only cells
+/// that have unknowns are listed.
 struct CellsOfUnknowns {
-  std::vector<std::int32_t> first;       ///< first unknown of each cell that has any, and the end
-  std::vector<std::array<int, 3>> cell;  ///< coordinates of those cells
+  /// Consecutive cells.
+  struct Line {
+    std::int32_t begin;
+    std::int32_t end;
+  };
+
+  std::vector<std::int32_t> first;       ///< first unknown of each cell, and the end
+  std::vector<std::array<int, 3>> cell;  ///< coordinates of each
+  std::vector<std::int32_t> of_unknown;  ///< cell of each unknown, and the end
+  int lines_per_cell = 0;
+  std::vector<Line> line;  ///< cells that the rows of each cell may touch; those that are missing are empty
+
+  int size() const { return static_cast<int>(cell.size()); }
 };
 
 /// An approximate inverse: symmetric, positive definite, the same for every vector until it is set up again.

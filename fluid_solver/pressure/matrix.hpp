@@ -15,46 +15,44 @@ using Doubles = double __attribute__((vector_size(8 * sizeof(double))));
 /// Symmetric M-matrix: (A x)_i = diagonal_i x_i - sum_j weight_ij x_j with weight_ij = weight_ji >= 0.
 ///
 /// Unknowns are numbered by cell, so the neighbours of a row lie in a few runs of consecutive columns, one
-/// for each line of cells around it. A run is kept whole, zeros included: twice the numbers of a list of
-/// neighbours, but no column indices and no gathering, which is several times faster. Weights are in single
-/// precision (both halves of a pair round to the same value), the diagonal in double.
+/// for each line of cells around it. A row is a list of blocks of `lanes` consecutive columns, zeros
+/// included: half as many numbers again as a list of neighbours, but an index for a block only, no gathering,
+/// and one loop whose end alone has to be guessed: several times faster. Weights are in single precision
+/// (both halves of a pair round to the same value), the diagonal in double.
 struct Matrix {
   static constexpr int lanes = 8;
 
-  /// Consecutive columns from `first` on; `length` is a multiple of `lanes` unless the matrix is smaller than
-  /// that.
-  struct Run {
-    std::int32_t first;
-    std::int32_t length;
-  };
-
-  Rows rows;  ///< of weights
-  std::vector<float> weight;
-  int runs_per_row = 0;  ///< places in `run` for each row
-  std::vector<Run> run;  ///< those in use come first, then one of length 0 where there is room
+  Rows rows;                        ///< of blocks
+  std::vector<std::int32_t> first;  ///< column of the first weight of each block
+  std::vector<float> weight;        ///< `lanes` a block, or as many as there are columns if those are fewer
   std::vector<double> diagonal;
 
   int size() const { return static_cast<int>(diagonal.size()); }
 
   /// sum_j weight_ij x_j.
-  float off_diagonal(int i, const float* x) const { return sum<Floats>(i, x); }
-  double off_diagonal(int i, const double* x) const { return sum<Doubles>(i, x); }
-
-  /// Calls visit(run, weights) for each run of row i.
-  template <typename Visit>
-  void each_run(int i, Visit&& visit) const {
-    const float* w = weight.data() + rows.begin(i);
-    const Run* r = run.data() + static_cast<std::ptrdiff_t>(i) * runs_per_row;
-    for (const Run* last = r + runs_per_row; r != last && r->length > 0; w += r->length, ++r) visit(*r, w);
+  double off_diagonal(int i, const double* x) const {
+    if (size() < lanes) return sum_few(i, x);
+    Doubles even{};
+    Doubles odd{};
+    const std::int64_t end = rows.end(i);
+    std::int64_t b = rows.begin(i);
+    const float* w = weight.data() + b * lanes;
+    for (; b + 2 <= end; b += 2, w += 2 * lanes) {
+      even += product(w, x + first[b]);
+      odd += product(w + lanes, x + first[b + 1]);
+    }
+    if (b < end) even += product(w, x + first[b]);
+    const Doubles total = even + odd;
+    return ((total[0] + total[4]) + (total[1] + total[5])) + ((total[2] + total[6]) + (total[3] + total[7]));
   }
 
   /// Calls visit(column, weight) for the entries of row i that are not zero, in ascending order.
   template <typename Visit>
   void each(int i, Visit&& visit) const {
-    each_run(i, [&](const Run& r, const float* w) {
-      for (int k = 0; k < r.length; ++k)
-        if (w[k] != 0) visit(r.first + k, w[k]);
-    });
+    const int width = std::min(lanes, size());
+    for (std::int64_t b = rows.begin(i); b < rows.end(i); ++b)
+      for (int k = 0; k < width; ++k)
+        if (weight[b * lanes + k] != 0) visit(first[b] + k, weight[b * lanes + k]);
   }
 
   /// Entries that are not zero.
@@ -65,24 +63,18 @@ struct Matrix {
   }
 
  private:
-  template <typename Lanes, typename Scalar>
-  Scalar sum(int i, const Scalar* x) const {
-    Lanes total{};
-    Scalar rest = 0;
-    each_run(i, [&](const Run& r, const float* w) {
-      const Scalar* const at = x + r.first;
-      int k = 0;
-      for (; k + lanes <= r.length; k += lanes) {
-        Floats weights;
-        Lanes values;
-        std::memcpy(&weights, w + k, sizeof weights);
-        std::memcpy(&values, at + k, sizeof values);
-        total += __builtin_convertvector(weights, Lanes) * values;
-      }
-      for (; k < r.length; ++k) rest += static_cast<Scalar>(w[k]) * at[k];
-    });
-    return ((total[0] + total[4]) + (total[1] + total[5])) + ((total[2] + total[6]) + (total[3] + total[7])) +
-           rest;
+  static Doubles product(const float* weights, const double* x) {
+    Floats w;
+    Doubles values;
+    std::memcpy(&w, weights, sizeof w);
+    std::memcpy(&values, x, sizeof values);
+    return __builtin_convertvector(w, Doubles) * values;
+  }
+
+  double sum_few(int i, const double* x) const {
+    double total = 0;
+    each(i, [&](int column, float w) { total += static_cast<double>(w) * x[column]; });
+    return total;
   }
 };
 

@@ -1,15 +1,17 @@
 #include "fluid_solver/pressure/poisson_equation.hpp"
 
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstring>
 
 #include "fluid_solver/weight.hpp"
 
 namespace cosurge::fluid {
 namespace {
 
-constexpr int expected_entries(int dim) {
-  return dim == 2 ? 120 : 900;
-}  // whole runs on the lattice, and disorder
+constexpr int stretch = 64;  // candidates weighed in one go: as many as bits in a word
+constexpr int expected_blocks(int dim) { return dim == 2 ? 12 : 90; }  // on the lattice, and disorder
 constexpr double facing_away = -0.5;  // cosine between a wet face and the way to a neighbour behind the body
 constexpr float edge = 1e-6F;         // weight of a site on the edge r = r_e by rounding: it does not count
 
@@ -24,6 +26,17 @@ inline float weight_of(float r2, float re) {
   return r2 > 0 && w > edge ? w : 0.0F;
 }
 
+/// A bit for each of `lanes` numbers that is not zero.
+inline std::uint32_t not_zero(const float* numbers) {
+  using Bits = std::int32_t __attribute__((vector_size(8 * sizeof(std::int32_t))));
+  Floats values;
+  std::memcpy(&values, numbers, sizeof values);
+  const Bits bits = (values != 0.0F) & Bits{1, 2, 4, 8, 16, 32, 64, 128};
+  std::int32_t all = 0;
+  for (int lane = 0; lane < Matrix::lanes; ++lane) all |= bits[lane];
+  return static_cast<std::uint32_t>(all);
+}
+
 }  // namespace
 
 template <int dim>
@@ -36,8 +49,7 @@ void PoissonEquation<dim>::number_unknowns(const Particles<dim>& particles, cons
   other_.clear();
   rank_.clear();
   wet_ = {0};
-  cells_.first.clear();
-  cells_.cell.clear();
+  cells_ = {};
   CellIndex<dim> last = CellIndex<dim>::Constant(-1);
   for (int i = 0; i < particles.size(); ++i) {
     const auto number = static_cast<std::int32_t>(place_.size());
@@ -53,14 +65,31 @@ void PoissonEquation<dim>::number_unknowns(const Particles<dim>& particles, cons
       cells_.cell.push_back({cell[0], cell[1], dim == 3 ? cell[dim - 1] : 0});
     }
     place_.push_back(i);
+    cells_.of_unknown.push_back(cells_.size() - 1);
     wet_.push_back(wet_.back() + (particles.kind[i] == Kind::body_surface ? 1 : 0));
   }
   const auto size = static_cast<std::int32_t>(place_.size());
   rank_.push_back(size);
   cells_.first.push_back(size);
+  cells_.of_unknown.push_back(cells_.size());
   for (int k = 0; k < dim; ++k) {
     x_[k].resize(place_.size() + Matrix::lanes);
     for (std::size_t m = 0; m < place_.size(); ++m) x_[k][m] = particles.x[place_[m]][k];
+  }
+}
+
+/// Lists for each cell the lines of cells around it.
+template <int dim>
+void PoissonEquation<dim>::list_cells(const CellGrid<dim>& grid, int reach) {
+  cells_.lines_per_cell = static_cast<int>(std::pow(2 * reach + 1, dim - 1));
+  cells_.line.assign(cells_.cell.size() * static_cast<std::size_t>(cells_.lines_per_cell), {0, 0});
+  for (int c = 0; c < cells_.size(); ++c) {
+    auto* line = cells_.line.data() + static_cast<std::ptrdiff_t>(c) * cells_.lines_per_cell;
+    CellIndex<dim> cell;
+    for (int k = 0; k < dim; ++k) cell[k] = cells_.cell[c][k];
+    grid.ranges(cell, reach, [&](std::int32_t first, std::int32_t last) {
+      *line++ = {cells_.of_unknown[rank_[first]], cells_.of_unknown[rank_[last]]};
+    });
   }
 }
 
@@ -68,130 +97,131 @@ template <int dim>
 void PoissonEquation<dim>::assemble(const Particles<dim>& particles, const CellGrid<dim>& grid,
                                     const std::vector<double>& source, const std::vector<Vec<dim>>& areas,
                                     double dt) {
+  const int reach = static_cast<int>(std::ceil(parameters_.re * (1 - 1e-9) / grid.cell_size()));
   number_unknowns(particles, grid);
+  list_cells(grid, reach);
   const double scale = reference_.lambda0 * reference_.n0 / (2 * dim);
   const double stiffness = scale * parameters_.compressibility * parameters_.density / (dt * dt);
-  const int reach = static_cast<int>(std::ceil(parameters_.re * (1 - 1e-9) / grid.cell_size()));
   const Assembly assembly{.particles = particles, .grid = grid, .areas = areas, .reach = reach};
-  A_.runs_per_row = static_cast<int>(std::pow(2 * reach + 1, dim - 1));
-  A_.run.resize(place_.size() * static_cast<std::size_t>(A_.runs_per_row));
   A_.diagonal.resize(place_.size());
   b_.resize(place_.size());
-  const auto row = [&](int k, std::int64_t begin) {
-    RowSums sums;
-    const std::int64_t length = fill_row(assembly, k, begin, sums);
-    A_.diagonal[k] = stiffness + sums.diagonal;
-    b_[k] = -scale * source[place_[k]] + sums.wall;
-    return length;
+  const auto fill = [&](int k, std::int64_t begin) {
+    const Row row = fill_row(assembly, k, begin);
+    double weights = 0;
+    for (int lane = 0; lane < Matrix::lanes; ++lane) weights += row.weights[lane];
+    A_.diagonal[k] = stiffness + row.diagonal + weights;
+    b_[k] = -scale * source[place_[k]] + row.wall;
+    return row.end - begin;
   };
-  const auto room = [&](std::int64_t entries) { A_.weight.resize(static_cast<std::size_t>(entries)); };
-  A_.rows.fill(static_cast<int>(place_.size()), expected_entries(dim), most_entries(dim), room, row);
+  const auto room = [&](std::int64_t blocks) {
+    A_.first.resize(static_cast<std::size_t>(blocks));
+    A_.weight.resize(static_cast<std::size_t>(blocks) * Matrix::lanes);
+  };
+  A_.rows.fill(static_cast<int>(place_.size()), expected_blocks(dim),
+               most_entries(dim) / Matrix::lanes + cells_.lines_per_cell, room, fill);
 }
 
-/// Fills row k from `begin` on, run by run, and returns how many weights it has.
 template <int dim>
-std::int64_t PoissonEquation<dim>::fill_row(const Assembly& assembly, int k, std::int64_t begin,
-                                            RowSums& sums) {
-  const int i = place_[k];
-  Matrix::Run* run = A_.run.data() + static_cast<std::ptrdiff_t>(k) * A_.runs_per_row;
-  Matrix::Run* const end = run + A_.runs_per_row;
-  std::int64_t length = 0;
-  assembly.grid.ranges(assembly.grid.cell_of(assembly.particles.x[i]), assembly.reach,
+auto PoissonEquation<dim>::fill_row(const Assembly& assembly, int k, std::int64_t begin) -> Row {
+  Row row{.i = place_[k], .end = begin};
+  assembly.grid.ranges(assembly.grid.cell_of(assembly.particles.x[row.i]), assembly.reach,
                        [&](std::int32_t first, std::int32_t last) {
-                         const int entries =
-                             fill_run(assembly, i, rank_[first], rank_[last], begin + length, *run, sums);
-                         add_others(assembly, i, first - rank_[first], last - rank_[last], sums);
-                         length += entries;
-                         if (entries > 0) ++run;
+                         fill_line(assembly, rank_[first], rank_[last], row);
+                         add_others(assembly, first - rank_[first], last - rank_[last], row);
                        });
-  if (run != end) run->length = 0;
-  return length;
+  return row;
 }
 
-/// Weights between particle i and the unknowns first ... last, trimmed to those that are not zero and filled
-/// up to whole lanes. Returns how many are kept.
+/// Appends the weights between the row's particle and the unknowns first ... last: blocks that begin with one
+/// that is not zero.
 template <int dim>
-int PoissonEquation<dim>::fill_run(const Assembly& assembly, int i, int first, int last, std::int64_t begin,
-                                   Matrix::Run& run, RowSums& sums) {
-  float* const weights = A_.weight.data() + begin;
-  const Vec<dim>& x_i = assembly.particles.x[i];
+void PoissonEquation<dim>::fill_line(const Assembly& assembly, int first, int last, Row& row) {
+  std::array<float, stretch + Matrix::lanes> weights;
+  const Vec<dim>& x_i = assembly.particles.x[row.i];
+  const bool beside_body = assembly.particles.kind[row.i] == Kind::body_surface || wet_[last] > wet_[first];
+  for (int begin = first; begin < last; begin += stretch) {
+    const int count = std::min(stretch, last - begin);
+    weigh(x_i, begin, count, weights.data());
+    if (beside_body) hide_behind_bodies(assembly, begin, count, weights.data(), row);
+    append_blocks(begin, count, weights.data(), row);
+  }
+}
+
+/// Weights of `count` columns from `first` on, and zeros behind them for a block.
+template <int dim>
+void PoissonEquation<dim>::weigh(const Vec<dim>& x_i, int first, int count, float* weights) const {
   const auto re = static_cast<float>(parameters_.re);
-  // Whole lanes, beyond the run too: a rest of single numbers would cost as much as the lanes.
-  const int whole = first + (last - first + Matrix::lanes - 1) / Matrix::lanes * Matrix::lanes;
-  for (int block = first; block < whole; block += Matrix::lanes) {
+  for (int block = 0; block < count; block += Matrix::lanes) {
 #pragma omp simd simdlen(8)
-    for (int m = block; m < block + Matrix::lanes; ++m) {
+    for (int lane = block; lane < block + Matrix::lanes; ++lane) {
       float r2 = 0;
       for (int k = 0; k < dim; ++k) {
-        const auto d = static_cast<float>(x_[k][m] - x_i[k]);
+        const auto d = static_cast<float>(x_[k][first + lane] - x_i[k]);
         r2 += d * d;
       }
-      weights[m - first] = weight_of(r2, re);
+      weights[lane] = weight_of(r2, re);
     }
   }
-  const bool beside_body = assembly.particles.kind[i] == Kind::body_surface || wet_[last] > wet_[first];
-  if (beside_body) hide_behind_bodies(assembly, i, first, last, weights, sums);
-  int from = 0;
-  int to = last - first;
-  while (from < to && weights[from] == 0) ++from;
-  while (to > from && weights[to - 1] == 0) --to;
-  if (from == to) return 0;
-  double diagonal = 0;
-  for (int m = from; m < to; ++m) diagonal += static_cast<double>(weights[m]);
-  sums.diagonal += diagonal;
+  std::fill(weights + count, weights + count + Matrix::lanes, 0.0F);
+}
 
-  const int size = static_cast<int>(place_.size());
-  const int length = std::min(size, (to - from + Matrix::lanes - 1) / Matrix::lanes * Matrix::lanes);
-  const int start = std::min(first + from, size - length);  // the last columns are filled up in front
-  const int shift = first + from - start;
-  std::memmove(weights + shift, weights + from, static_cast<std::size_t>(to - from) * sizeof(float));
-  std::fill(weights, weights + shift, 0.0F);
-  std::fill(weights + shift + (to - from), weights + length, 0.0F);
-  run = {.first = start, .length = length};
-  return length;
+template <int dim>
+void PoissonEquation<dim>::append_blocks(int first, int count, const float* weights, Row& row) {
+  const int room = std::max(0, A_.size() - Matrix::lanes);  // no block begins later: none goes over the end
+  std::uint64_t left = 0;  // columns that are not zero, and not yet in a block
+  for (int k = 0; k < count; k += Matrix::lanes) left |= std::uint64_t{not_zero(weights + k)} << k;
+  while (left != 0) {
+    const int from = std::countr_zero(left);
+    const int shift = std::max(0, first + from - room);
+    Floats block{};
+    std::memcpy(reinterpret_cast<float*>(&block) + shift, weights + from,
+                static_cast<std::size_t>(Matrix::lanes - shift) * sizeof(float));
+    std::memcpy(A_.weight.data() + row.end * Matrix::lanes, &block, sizeof block);
+    A_.first[row.end++] = first + from - shift;
+    row.weights += __builtin_convertvector(block, Doubles);
+    left &= ~(std::uint64_t{(1U << Matrix::lanes) - 1} << from);
+  }
 }
 
 /// Takes out the pairs that see each other through a body; for both, the other side is a wall.
 template <int dim>
-void PoissonEquation<dim>::hide_behind_bodies(const Assembly& assembly, int i, int first, int last,
-                                              float* weights, RowSums& sums) const {
+void PoissonEquation<dim>::hide_behind_bodies(const Assembly& assembly, int first, int count, float* weights,
+                                              Row& row) const {
   const Particles<dim>& particles = assembly.particles;
-  const bool on_body = particles.kind[i] == Kind::body_surface;
-  for (int m = first; m < last; ++m) {
-    if (weights[m - first] == 0) continue;
-    const int j = place_[m];
-    const Vec<dim> x_ij = particles.x[j] - particles.x[i];
+  const bool on_body = particles.kind[row.i] == Kind::body_surface;
+  for (int k = 0; k < count; ++k) {
+    if (weights[k] == 0) continue;
+    const int j = place_[first + k];
+    const Vec<dim> x_ij = particles.x[j] - particles.x[row.i];
     const double r = x_ij.norm();
-    const bool hidden = (on_body && behind<dim>(assembly.areas[i], x_ij, r)) ||
+    const bool hidden = (on_body && behind<dim>(assembly.areas[row.i], x_ij, r)) ||
                         (particles.kind[j] == Kind::body_surface && behind<dim>(assembly.areas[j], -x_ij, r));
     if (!hidden) continue;
-    sums.wall +=
-        static_cast<double>(weights[m - first]) * parameters_.density * parameters_.gravity.dot(x_ij);
-    weights[m - first] = 0;
+    row.wall += static_cast<double>(weights[k]) * parameters_.density * parameters_.gravity.dot(x_ij);
+    weights[k] = 0;
   }
 }
 
 /// Free surface (P = 0), and walls by the Neumann condition: the particles first ... last of those without an
 /// unknown.
 template <int dim>
-void PoissonEquation<dim>::add_others(const Assembly& assembly, int i, int first, int last,
-                                      RowSums& sums) const {
+void PoissonEquation<dim>::add_others(const Assembly& assembly, int first, int last, Row& row) const {
   const Particles<dim>& particles = assembly.particles;
-  const bool on_body = particles.kind[i] == Kind::body_surface;
+  const bool on_body = particles.kind[row.i] == Kind::body_surface;
   for (int m = first; m < last; ++m) {
     const int j = other_[m];
-    const Vec<dim> x_ij = particles.x[j] - particles.x[i];
+    const Vec<dim> x_ij = particles.x[j] - particles.x[row.i];
     const auto w = static_cast<double>(
         weight_of(static_cast<float>(x_ij.squaredNorm()), static_cast<float>(parameters_.re)));
     if (w == 0) continue;
     const double r = x_ij.norm();
     const bool wall = !has_pressure(particles.kind[j]) ||
-                      (on_body && behind<dim>(assembly.areas[i], x_ij, r)) ||
+                      (on_body && behind<dim>(assembly.areas[row.i], x_ij, r)) ||
                       (particles.kind[j] == Kind::body_surface && behind<dim>(assembly.areas[j], -x_ij, r));
     if (wall)
-      sums.wall += w * parameters_.density * parameters_.gravity.dot(x_ij);
+      row.wall += w * parameters_.density * parameters_.gravity.dot(x_ij);
     else
-      sums.diagonal += w;
+      row.diagonal += w;
   }
 }
 

@@ -44,19 +44,23 @@ class PoissonEquation {
     int reach;  ///< cells to each side that a row looks at
   };
 
-  /// What a row gets besides its entries.
-  struct RowSums {
-    double diagonal = 0;
-    double wall = 0;  ///< of the Neumann terms
+  /// A row while it is filled.
+  struct Row {
+    int i;                ///< place of its particle
+    std::int64_t end;     ///< behind the last block so far
+    Doubles weights{};    ///< sums of weights, by lane
+    double diagonal = 0;  ///< of the free surface
+    double wall = 0;      ///< of the Neumann terms
   };
 
   void number_unknowns(const Particles<dim>& particles, const CellGrid<dim>& grid);
-  std::int64_t fill_row(const Assembly& assembly, int row, std::int64_t begin, RowSums& sums);
-  int fill_run(const Assembly& assembly, int i, int first, int last, std::int64_t begin, Matrix::Run& run,
-               RowSums& sums);
-  void hide_behind_bodies(const Assembly& assembly, int i, int first, int last, float* weights,
-                          RowSums& sums) const;
-  void add_others(const Assembly& assembly, int i, int first, int last, RowSums& sums) const;
+  void list_cells(const CellGrid<dim>& grid, int reach);
+  Row fill_row(const Assembly& assembly, int row, std::int64_t begin);
+  void fill_line(const Assembly& assembly, int first, int last, Row& row);
+  void weigh(const Vec<dim>& x_i, int first, int count, float* weights) const;
+  void hide_behind_bodies(const Assembly& assembly, int first, int count, float* weights, Row& row) const;
+  void append_blocks(int first, int count, const float* weights, Row& row);
+  void add_others(const Assembly& assembly, int first, int last, Row& row) const;
 
   PoissonParameters<dim> parameters_;
   ReferenceValues reference_;
