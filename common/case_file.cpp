@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "common/case_rules.hpp"
+#include "common/case_tables.hpp"
 #include "common/error.hpp"
 
 namespace cosurge {
@@ -68,7 +69,8 @@ class Walk {
     }
     for (int i = 0; i < type.field_count(); ++i) {
       const FieldDescriptor& field = *type.field(i);
-      const bool needed = field.is_required() || rule_of(field).vector() || rule_of(field).at_least() > 0;
+      const v1::Rule& rule = rule_of(field);
+      const bool needed = field.is_required() || (rule.vector() && !rule.may_miss()) || rule.at_least() > 0;
       if (needed && !from.contains(field.name())) {
         errors_.places[child(path, field.name())] = here;
         errors_.add(child(path, field.name()), "missing");
@@ -273,6 +275,8 @@ v1::Case load_case(const std::string& path, const std::vector<std::string>& over
   errors.raise();
   if (result.has_fluid() && result.has_solid()) result.mutable_coupling();
   result.mutable_output();
+  read_tables(result, file.parent_path(), errors);
+  errors.raise();
   resolve(result);
   check_rules(result, errors);
   errors.raise();

@@ -21,23 +21,40 @@ bool divides(double spacing, double length) {
          std::abs(quotient - nearest) < whole * std::max(1.0, std::abs(quotient));
 }
 
-/// A box of the case, with its key, and whether the lattice must fill it exactly.
+/// A box of the case, with its key.
 struct NamedBox {
   std::string key;
-  const v1::Box* box;
+  v1::Box box;
 };
+
+/// The box of a shape that is one.
+NamedBox named_box(const std::string& key, const v1::Shape& shape) {
+  NamedBox named{.key = key, .box = {}};
+  *named.box.mutable_min() = shape.min();
+  *named.box.mutable_max() = shape.max();
+  return named;
+}
 
 std::vector<NamedBox> body_boxes(const v1::Solid& solid) {
   std::vector<NamedBox> boxes;
   for (int i = 0; i < solid.body_size(); ++i)
-    boxes.push_back({fmt::format("solid.body.{}.box", i), &solid.body(i).box()});
+    boxes.push_back({fmt::format("solid.body.{}.box", i), solid.body(i).box()});
   return boxes;
 }
 
 std::vector<NamedBox> water_boxes(const v1::Fluid& fluid) {
   std::vector<NamedBox> boxes;
   for (int i = 0; i < fluid.water_size(); ++i)
-    boxes.push_back({fmt::format("fluid.water.{}", i), &fluid.water(i)});
+    if (fluid.water(i).vertex().empty())
+      boxes.push_back(named_box(fmt::format("fluid.water.{}", i), fluid.water(i)));
+  return boxes;
+}
+
+std::vector<NamedBox> obstacle_boxes(const v1::Fluid& fluid) {
+  std::vector<NamedBox> boxes;
+  for (int i = 0; i < fluid.obstacle_size(); ++i)
+    if (fluid.obstacle(i).shape().vertex().empty())
+      boxes.push_back(named_box(fmt::format("fluid.obstacle.{}.shape", i), fluid.obstacle(i).shape()));
   return boxes;
 }
 
@@ -73,8 +90,8 @@ void check_spacing(const std::string& key, double spacing, const std::vector<Nam
   std::vector<double> lengths;
   std::vector<std::string> wrong;
   for (const NamedBox& named : boxes) {
-    for (int k = 0; k < named.box->min_size(); ++k) {
-      for (const double value : {named.box->min(k), named.box->max(k)}) {
+    for (int k = 0; k < named.box.min_size(); ++k) {
+      for (const double value : {named.box.min(k), named.box.max(k)}) {
         if (value != 0) lengths.push_back(std::abs(value));
         if (!divides(spacing, value))
           wrong.push_back(fmt::format("{} ({:.6g} is {:.4g} spacings)", named.key, value, value / spacing));
@@ -97,34 +114,58 @@ void check_spacing(const std::string& key, double spacing, const std::vector<Nam
 bool check_boxes_ordered(const std::vector<NamedBox>& boxes, CaseErrors& errors) {
   bool ok = true;
   for (const NamedBox& named : boxes) {
-    for (int k = 0; k < named.box->min_size(); ++k) {
-      if (named.box->min(k) < named.box->max(k)) continue;
-      errors.add(named.key, fmt::format("min {} must be < max {} in coordinate {}", named.box->min(k),
-                                        named.box->max(k), k));
+    for (int k = 0; k < named.box.min_size(); ++k) {
+      if (named.box.min(k) < named.box.max(k)) continue;
+      errors.add(named.key, fmt::format("min {} must be < max {} in coordinate {}", named.box.min(k),
+                                        named.box.max(k), k));
       ok = false;
     }
   }
   return ok;
 }
 
+/// Whether every shape is either a box or an outline.
+bool check_shapes(const v1::Fluid& fluid, CaseErrors& errors) {
+  bool ok = true;
+  const auto check = [&](const std::string& key, const v1::Shape& shape) {
+    const bool box = shape.min_size() > 0 && shape.max_size() > 0;
+    const bool outline = !shape.vertex().empty() || shape.has_outline();
+    if (box != outline && (box || (shape.min_size() == 0 && shape.max_size() == 0))) {
+      const int fewest = errors.dimension == 2 ? 6 : 36;  // numbers of a triangle, of a tetrahedron
+      if (box || shape.vertex_size() >= fewest) return;
+      errors.add(key, fmt::format("the outline has {} corners, needs at least {}",
+                                  shape.vertex_size() / errors.dimension, fewest / errors.dimension));
+    } else {
+      errors.add(key, "must have either min and max, or outline");
+    }
+    ok = false;
+  };
+  for (int i = 0; i < fluid.water_size(); ++i) check(fmt::format("fluid.water.{}", i), fluid.water(i));
+  for (int i = 0; i < fluid.obstacle_size(); ++i)
+    check(fmt::format("fluid.obstacle.{}.shape", i), fluid.obstacle(i).shape());
+  return ok;
+}
+
 void check_scene(const v1::Case& c, CaseErrors& errors) {
+  if (c.has_fluid() && !check_shapes(c.fluid(), errors)) return;
   std::vector<NamedBox> boxes;
   if (c.has_solid()) boxes = body_boxes(c.solid());
   std::vector<NamedBox> filled = boxes;
   if (c.has_fluid()) {
     for (const NamedBox& water : water_boxes(c.fluid())) filled.push_back(water);
     boxes = filled;
-    boxes.push_back({"fluid.tank", &c.fluid().tank()});
+    for (const NamedBox& obstacle : obstacle_boxes(c.fluid())) boxes.push_back(obstacle);
+    boxes.push_back({"fluid.tank", c.fluid().tank()});
   }
   if (!check_boxes_ordered(boxes, errors)) return;
   if (c.has_fluid()) {
     const double margin = whole * c.fluid().spacing();
     check_spacing("fluid.spacing", c.fluid().spacing(), boxes, errors);
     for (const NamedBox& named : filled)
-      if (!inside(*named.box, c.fluid().tank(), margin)) errors.add(named.key, "must lie inside fluid.tank");
+      if (!inside(named.box, c.fluid().tank(), margin)) errors.add(named.key, "must lie inside fluid.tank");
     for (std::size_t i = 0; i < filled.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
-        if (overlap(*filled[i].box, *filled[j].box, margin))
+        if (overlap(filled[i].box, filled[j].box, margin))
           errors.add(filled[i].key, fmt::format("overlaps {}", filled[j].key));
   }
   if (c.has_solid() && c.solid().has_spacing())
@@ -135,6 +176,25 @@ void check_fluid(const v1::Fluid& fluid, CaseErrors& errors) {
   if (fluid.re_laplacian() > 2 * fluid.re_gradient())
     errors.add("fluid.re_laplacian", fmt::format("{} must be <= 2 fluid.re_gradient = {}",
                                                  fluid.re_laplacian(), 2 * fluid.re_gradient()));
+}
+
+void check_motion(const std::string& key, const v1::WallMotion& motion, CaseErrors& errors) {
+  const bool formula = motion.amplitude_size() > 0 || motion.angle() != 0;
+  if (formula && motion.has_table()) errors.add(key, "must have either amplitude and angle, or a table");
+  if (formula && motion.frequency() <= 0)
+    errors.add(key + ".frequency", "must be > 0 [Hz] where there is an amplitude");
+}
+
+void check_motions(const v1::Fluid& fluid, CaseErrors& errors) {
+  check_motion("fluid.tank_motion", fluid.tank_motion(), errors);
+  const double layers = std::ceil(fluid.re_laplacian());
+  for (int i = 0; i < fluid.obstacle_size(); ++i)
+    check_motion(fmt::format("fluid.obstacle.{}.motion", i), fluid.obstacle(i).motion(), errors);
+  for (const NamedBox& named : obstacle_boxes(fluid))
+    for (int k = 0; k < named.box.min_size(); ++k)
+      if (const double side = named.box.max(k) - named.box.min(k); side < (layers - whole) * fluid.spacing())
+        errors.add(named.key, fmt::format("is {:.3g} spacings thick, must be at least {}",
+                                          side / fluid.spacing(), layers));
 }
 
 void check_solid(const v1::Case& c, CaseErrors& errors) {
@@ -156,10 +216,24 @@ void check_solid(const v1::Case& c, CaseErrors& errors) {
     }
     for (int j = 0; j < body.clamp_size(); ++j) {
       const std::string key = fmt::format("solid.body.{}.clamp.{}", i, j);
-      if (!check_boxes_ordered({{key, &body.clamp(j)}}, errors)) continue;
+      if (!check_boxes_ordered({{key, body.clamp(j)}}, errors)) continue;
       if (!overlap(body.box(), body.clamp(j), -whole * spacing)) errors.add(key, "must touch the body's box");
     }
   }
+}
+
+/// A probe of a body must lie in or on one, one of the water in the tank.
+void check_place(const v1::Case& c, const v1::Probe& probe, const std::string& key, CaseErrors& errors) {
+  v1::Box point;
+  *point.mutable_min() = probe.position();
+  *point.mutable_max() = probe.position();
+  const auto& bodies = c.solid().body();
+  const bool on_body = std::any_of(bodies.begin(), bodies.end(),
+                                   [&](const v1::Body& body) { return inside(point, body.box(), 1e-9); });
+  const bool of_body = probe.quantity() == v1::Probe::displacement || probe.quantity() == v1::Probe::force;
+  if (of_body && !on_body) errors.add(key + ".position", "must lie in or on a body's box");
+  if (!of_body && !on_body && !inside(point, c.fluid().tank(), 1e-9))
+    errors.add(key + ".position", "must lie in fluid.tank or on a body's box");
 }
 
 void check_probes(const v1::Case& c, CaseErrors& errors) {
@@ -174,15 +248,10 @@ void check_probes(const v1::Case& c, CaseErrors& errors) {
     if (!plain) errors.add(key + ".name", "must be made of letters, digits and _");
     if (!names.insert(probe.name()).second)
       errors.add(key + ".name", fmt::format("\"{}\" is taken", probe.name()));
-    if (probe.quantity() == v1::Probe::pressure && !c.has_fluid())
+    if (probe.quantity() != v1::Probe::displacement && !c.has_fluid())
       errors.add(key + ".quantity", "needs a fluid");
-    v1::Box point;
-    *point.mutable_min() = probe.position();
-    *point.mutable_max() = probe.position();
-    const auto& bodies = c.solid().body();
-    const auto holds = [&](const v1::Body& body) { return inside(point, body.box(), 1e-9); };
-    if (std::none_of(bodies.begin(), bodies.end(), holds))
-      errors.add(key + ".position", "must lie in or on a body's box");
+    else
+      check_place(c, probe, key, errors);
   }
 }
 
@@ -221,6 +290,7 @@ void check_rules(const v1::Case& c, CaseErrors& errors) {
     errors.add("coupling", "only where there are a [fluid] and a [solid]");
   check_scene(c, errors);
   if (c.has_fluid()) check_fluid(c.fluid(), errors);
+  if (c.has_fluid()) check_motions(c.fluid(), errors);
   if (c.has_solid()) check_solid(c, errors);
   check_probes(c, errors);
   check_times(c, errors);

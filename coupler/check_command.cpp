@@ -7,6 +7,7 @@
 
 #include "common/case_file.hpp"
 #include "common/error.hpp"
+#include "common/shape.hpp"
 #include "common/solvers.hpp"
 #include "coupler/coupler.hpp"
 
@@ -41,8 +42,10 @@ double expected_windows(const v1::Case& c) {
   if (c.has_fluid() && c.time().stepping() == v1::Time::adaptive) {
     double head = 0;
     const int up = c.dimension() - 1;
-    for (const v1::Box& water : c.fluid().water())
-      head = std::max(head, water.max(up) - c.fluid().tank().min(up));
+    for (const v1::Shape& water : c.fluid().water()) {
+      const double top = up == 1 ? Shape<2>(water).bounds().max[1] : Shape<3>(water).bounds().max[2];
+      head = std::max(head, top - c.fluid().tank().min(up));
+    }
     const double gravity = std::abs(c.gravity(up));
     const double speed = 2 * std::sqrt(gravity * head);  // Ritter's bound of a front on a dry bed
     if (speed > 0) window = std::min(window, c.fluid().courant() * c.fluid().spacing() / speed);

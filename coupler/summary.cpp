@@ -28,17 +28,15 @@ Json extremes(const History& history) {
           {"last", history.last()}};
 }
 
-/// A displacement probe has a history for each direction.
+/// A probe of a vector has a history for each direction.
 Json probes(const Recorder& recorder) {
   Json probes = Json::object();
   const auto add = [&](const std::string& group, const std::string& column) {
     if (const History* history = recorder.history(group + "/" + column)) probes[column] = extremes(*history);
   };
-  for (const v1::Probe& probe : recorder.the_case().output().probe()) {
-    if (probe.quantity() == v1::Probe::pressure) add("fluid", probe.name());
-    for (const char* direction : {"_x", "_y", "_z"})
-      if (probe.quantity() == v1::Probe::displacement) add("solid", probe.name() + direction);
-  }
+  for (const v1::Probe& probe : recorder.the_case().output().probe())
+    for (const char* group : {"fluid", "solid"})
+      for (const char* direction : {"", "_x", "_y", "_z"}) add(group, probe.name() + direction);
   return probes;
 }
 

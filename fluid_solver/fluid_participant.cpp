@@ -48,12 +48,7 @@ class FluidParticipant::SceneOf : public Scene {
                 .particles = static_cast<std::uint64_t>(mps_.initial_size()),
                 .window = case_.time().window(),
                 .substep = 0};
-    for (const v1::Probe& probe : case_.output().probe()) {
-      if (probe.quantity() != v1::Probe::pressure) continue;
-      setup.columns.push_back({probe.name(), "Pa"});
-      probes_.emplace_back(probe.name(), Eigen::Map<const Vec<dim>>(probe.position().data()), interface,
-                           spacing());
-    }
+    for (const v1::Probe& probe : case_.output().probe()) add_gauge(probe, interface, setup.columns);
     return setup;
   }
 
@@ -74,7 +69,7 @@ class FluidParticipant::SceneOf : public Scene {
                      static_cast<double>(water.inside_bodies)};
     for (const double seconds : mps_.clock().seconds()) report.values.push_back(seconds);
     report.values.push_back(cpu_seconds() - cpu_start_);
-    for (const auto& probe : probes_) report.values.push_back(probe.read(surface.pressure));
+    for (const auto& gauge : gauges_) report.values.push_back(gauge(surface));
     report.window = step.max_window;
     return report;
   }
@@ -109,10 +104,52 @@ class FluidParticipant::SceneOf : public Scene {
   double spacing() const { return case_.fluid().spacing(); }
   double particle_mass() const { return case_.fluid().density() * std::pow(spacing(), dim); }
 
+  void add_gauge(const v1::Probe& probe, const Interface& interface, std::vector<Column>& columns) {
+    const Vec<dim> x = Eigen::Map<const Vec<dim>>(probe.position().data());
+    const int body = body_at(x);
+    const double floor = case_.fluid().tank().min(dim - 1);
+    switch (probe.quantity()) {
+      case v1::Probe::displacement:
+        return;  // the solid's
+      case v1::Probe::pressure:
+        columns.push_back({probe.name(), "Pa"});
+        if (body >= 0)
+          gauges_.push_back([at = SurfacePressureProbe<dim>(probe.name(), x, interface, spacing())](
+                                const Surface& surface) { return at.read(surface.pressure); });
+        else
+          gauges_.push_back([this, x](const Surface&) { return pressure_at(mps_, x); });
+        return;
+      case v1::Probe::level:
+        columns.push_back({probe.name(), "m"});
+        gauges_.push_back([this, x, floor](const Surface&) { return level_at(mps_, x, floor, spacing()); });
+        return;
+      case v1::Probe::force:
+        for (int axis = 0; axis < dim; ++axis) {
+          columns.push_back({fmt::format("{}_{}", probe.name(), "xyz"[axis]), "N"});
+          gauges_.push_back([axis, body, bodies = interface.body](const Surface& surface) {
+            double sum = 0;
+            for (std::size_t k = 0; k < bodies.size(); ++k)
+              if (bodies[k] == body) sum += surface.force(axis, static_cast<Eigen::Index>(k));
+            return sum;
+          });
+        }
+    }
+  }
+
+  /// The body in or on whose box x lies, -1 where there is none.
+  int body_at(const Vec<dim>& x) const {
+    const Vec<dim> margin = Vec<dim>::Constant(1e-9);
+    for (int b = 0; b < case_.solid().body_size(); ++b)
+      if (const Box<dim> box(case_.solid().body(b).box());
+          Box<dim>(box.min - margin, box.max + margin).contains(x))
+        return b;
+    return -1;
+  }
+
   v1::Case case_;
   Vec<dim> gravity_;
   Mps<dim> mps_;
-  std::vector<SurfacePressureProbe<dim>> probes_;
+  std::vector<std::function<double(const Surface&)>> gauges_;  // of the probes, a column each
   double cpu_start_ = cpu_seconds();
 };
 

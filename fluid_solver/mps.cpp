@@ -8,7 +8,6 @@
 #include "common/state_bytes.hpp"
 #include "fluid_solver/operators.hpp"
 #include "fluid_solver/pressure/source.hpp"
-#include "fluid_solver/tank.hpp"
 
 namespace cosurge::fluid {
 namespace {
@@ -36,38 +35,60 @@ Mps<dim>::Mps(const v1::Fluid& fluid, const v1::Solid* solid, const Vec<dim>& gr
     : parameters_(fluid),
       gravity_(gravity),
       reference_(reference_values<dim>(fluid.re_gradient() * fluid.spacing(), fluid.spacing())),
-      tank_(fluid.tank()),
-      neighbors_(tank_domain<dim>(tank_, dummy_layers(fluid), fluid.spacing()),
-                 fluid.re_gradient() * fluid.spacing()),
+      walls_(fluid, dummy_layers(fluid)),
+      neighbors_(walls_.domain(), fluid.re_gradient() * fluid.spacing()),
       poisson_(poisson_parameters<dim>(fluid, gravity)),
       preconditioner_(make_preconditioner(fluid.pressure())) {
-  for (const v1::Box& water : fluid.water())
-    for (const Vec<dim>& x : fill(Box<dim>(water), fluid.spacing())) particles_.add(Kind::fluid, x);
-  add_tank(particles_, tank_, dummy_layers(fluid), fluid.spacing());
+  add_water(solid);
+  walls_.add_to(particles_);
   first_body_id_ = particles_.size();
-  if (solid != nullptr) bodies_ = Bodies<dim>(*solid, tank_, fluid.spacing());
+  const Box<dim> tank(fluid.tank());
+  if (solid != nullptr) bodies_ = Bodies<dim>(*solid, tank, fluid.spacing());
   for (int k = 0; k < bodies_.points(); ++k)
     particles_.add(bodies_.wet(k) ? Kind::body_surface : Kind::body_inner, bodies_.position(k));
   initial_size_ = particles_.size();
   // Ten times the speed of a fall through the whole domain: jets of impacts reach two or three times.
-  const double fall = 2 * (tank_.max - tank_.min).maxCoeff();
+  const double fall = 2 * (tank.max - tank.min).maxCoeff();
   const double sound = 1 / std::sqrt(fluid.density() * fluid.compressibility());
   speed_bound_ = gravity.norm() > 0 ? 10 * std::sqrt(2 * gravity.norm() * fall) : sound;
-  search_neighbors();
+  search_neighbors(0);
   const Field at_rest = Field::Zero(dim, bodies_.points());
   move_bodies(at_rest, at_rest);
 }
 
+/// Fills the shapes of water; it gives way to obstacles, and where a shape is an outline also to bodies, the
+/// tank and the shapes before it. (Boxes that overlap are refused when the case is read.)
+template <int dim>
+void Mps<dim>::add_water(const v1::Solid* solid) {
+  std::vector<Shape<dim>> filled;
+  const Box<dim> tank(parameters_.tank());
+  const auto taken = [&](const Vec<dim>& x) {
+    if (!tank.contains(x)) return true;
+    for (const Shape<dim>& shape : filled)
+      if (shape.contains(x)) return true;
+    for (int b = 0; solid != nullptr && b < solid->body_size(); ++b)
+      if (Box<dim>(solid->body(b).box()).contains(x)) return true;
+    return false;
+  };
+  for (const v1::Shape& water : parameters_.water()) {
+    const Shape<dim> shape(water);
+    for (const Vec<dim>& x : shape.fill(parameters_.spacing()))
+      if (!walls_.covers(x) && (water.vertex().empty() || !taken(x))) particles_.add(Kind::fluid, x);
+    filled.push_back(shape);
+  }
+}
+
 template <int dim>
 StepReport Mps<dim>::step(double start, double dt) {
-  predict(dt);  // u* = u + dt g, x* = x + dt u*
-  search_neighbors();
+  predict(start, dt);  // u* = u + dt g, x* = x + dt u*; walls go to where they are at the end
+  search_neighbors(start + dt);
   diffuse_and_collide(dt);  // u* += dt nu lap u*, and collisions
   density_and_free_surface(particles_, neighbors_, reference_.n0,
                            {.beta = parameters_.free_surface().beta(),
                             .delta = parameters_.free_surface().delta() * parameters_.spacing()});
   const SolveReport pressure = solve_pressure(start, dt);
   correct(dt);  // u = u* - dt / rho grad p, x = x* + dt (u - u*)
+  if (parameters_.shifting() > 0) shift(dt);
   StepReport report = survey(start + dt);
   report.pressure = pressure;
   clock_.leave();
@@ -95,8 +116,9 @@ void Mps<dim>::load(Surface& surface) const {
 }
 
 template <int dim>
-void Mps<dim>::predict(double dt) {
+void Mps<dim>::predict(double start, double dt) {
   clock_.enter(predicting);
+  walls_.move(particles_, start + dt, dt);
 #pragma omp parallel for schedule(static)
   for (int i = 0; i < particles_.size(); ++i) {
     if (particles_.kind[i] != Kind::fluid) continue;
@@ -107,16 +129,12 @@ void Mps<dim>::predict(double dt) {
 
 /// Sorts and lists; what has gone through a wall is moved out of the domain first, and so drops out.
 template <int dim>
-void Mps<dim>::search_neighbors() {
+void Mps<dim>::search_neighbors(double time) {
   clock_.enter(searching);
-  Box<dim> allowed = tank_;
-  allowed.min.array() -= parameters_.spacing();
-  allowed.max.array() += parameters_.spacing();
-  allowed.max[dim - 1] = std::numeric_limits<double>::max();  // the domain bounds the open top
-  const Vec<dim> outside = Vec<dim>::Constant(tank_.max.maxCoeff() + 1e3 * parameters_.spacing());
+  const Box<dim> domain = walls_.domain();
+  const Vec<dim> nowhere = domain.max + (domain.max - domain.min);
   for (int i = 0; i < particles_.size(); ++i)
-    if (particles_.kind[i] == Kind::fluid && !allowed.contains(particles_.x[i]))
-      particles_.x[i] = 10 * outside;
+    if (particles_.kind[i] == Kind::fluid && walls_.outside(particles_.x[i], time)) particles_.x[i] = nowhere;
   neighbors_.rebuild(particles_);
   locate_bodies();
 }
@@ -214,18 +232,27 @@ SolveReport Mps<dim>::solve_pressure(double start, double dt) {
 }
 
 template <int dim>
+Vec<dim> Mps<dim>::pressure_gradient(int i) const {
+  switch (parameters_.gradient()) {
+    case v1::Fluid::p_min:
+      return gradient_p_min(particles_, neighbors_, i, reference_.n0);
+    case v1::Fluid::conserving:
+      return gradient_conserving<dim>(particles_, neighbors_, i, reference_.n0,
+                                      parameters_.density() * gravity_);
+    case v1::Fluid::corrected:
+      return gradient_corrected(particles_, neighbors_, i, reference_.n0);
+  }
+  return Vec<dim>::Zero();
+}
+
+template <int dim>
 void Mps<dim>::correct(double dt) {
   clock_.enter(correcting);
   const double step = dt / parameters_.density();
-  const Vec<dim> rho_g = parameters_.density() * gravity_;
-  const bool conserving = parameters_.gradient() == v1::Fluid::conserving;
   push_.resize(static_cast<std::size_t>(particles_.size()));
 #pragma omp parallel for schedule(dynamic, Rows::chunk)
-  for (int i = 0; i < particles_.size(); ++i) {
-    if (particles_.kind[i] != Kind::fluid) continue;
-    push_[i] = -step * (conserving ? gradient_conserving(particles_, neighbors_, i, reference_.n0, rho_g)
-                                   : gradient_p_min(particles_, neighbors_, i, reference_.n0));
-  }
+  for (int i = 0; i < particles_.size(); ++i)
+    if (particles_.kind[i] == Kind::fluid) push_[i] = -step * pressure_gradient(i);
 #pragma omp parallel for schedule(static)
   for (int i = 0; i < particles_.size(); ++i) {
     if (particles_.kind[i] != Kind::fluid) continue;
@@ -234,11 +261,28 @@ void Mps<dim>::correct(double dt) {
   }
 }
 
+/// Moves inner particles away from where they crowd, eq. (18); velocities stay.
+template <int dim>
+void Mps<dim>::shift(double dt) {
+  double fastest = 0;
+  for (int i = 0; i < particles_.size(); ++i)
+    if (particles_.kind[i] == Kind::fluid) fastest = std::max(fastest, particles_.u[i].norm());
+  const double scale = parameters_.shifting() * std::min(fastest * dt, parameters_.spacing());
+#pragma omp parallel for schedule(dynamic, Rows::chunk)
+  for (int i = 0; i < particles_.size(); ++i)
+    if (particles_.kind[i] == Kind::fluid)
+      push_[i] = scale * even_out(particles_, neighbors_, i, reference_.n0);
+#pragma omp parallel for schedule(static)
+  for (int i = 0; i < particles_.size(); ++i)
+    if (particles_.kind[i] == Kind::fluid) particles_.x[i] += push_[i];
+}
+
 /// Speeds, the next step that they allow, and the bounds of what is physical.
 template <int dim>
 StepReport Mps<dim>::survey(double end) {
-  double fastest = 0;                      // of all
-  double fastest_bound = max_body_speed_;  // of those with enough neighbours to feel and make pressures
+  double fastest = 0;  // of all
+  double fastest_bound = std::max(
+      max_body_speed_, walls_.speed());  // of those with enough neighbours to feel and make pressures
   int which = -1;
   for (int i = 0; i < particles_.size(); ++i) {
     if (particles_.kind[i] != Kind::fluid) continue;

@@ -9,6 +9,7 @@
 #include "fluid_solver/collision.hpp"
 #include "fluid_solver/density.hpp"
 #include "fluid_solver/pressure/poisson_equation.hpp"
+#include "fluid_solver/walls.hpp"
 
 namespace cosurge::fluid {
 
@@ -52,19 +53,22 @@ class Mps {
   void restore(const std::string& state);
 
  private:
-  void predict(double dt);
-  void search_neighbors();
+  void add_water(const v1::Solid* solid);
+  void predict(double start, double dt);
+  void search_neighbors(double time);
   void locate_bodies();
   void diffuse_and_collide(double dt);
   void set_source(double dt);
   SolveReport solve_pressure(double start, double dt);
+  Vec<dim> pressure_gradient(int i) const;
   void correct(double dt);
+  void shift(double dt);
   StepReport survey(double end);
 
   v1::Fluid parameters_;
   Vec<dim> gravity_;
   ReferenceValues reference_;  // of the small radius
-  Box<dim> tank_;
+  Walls<dim> walls_;
   Bodies<dim> bodies_;
   Particles<dim> particles_;
   int initial_size_ = 0;

@@ -1,5 +1,7 @@
 #include "fluid_solver/operators.hpp"
 
+#include <Eigen/LU>
+
 #include "fluid_solver/weight.hpp"
 
 namespace cosurge::fluid {
@@ -37,6 +39,34 @@ Vec<dim> gradient_conserving(const Particles<dim>& particles, const Neighbors<di
 }
 
 template <int dim>
+Vec<dim> gradient_corrected(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i,
+                            double n0) {
+  Vec<dim> sum = Vec<dim>::Zero();
+  Mat<dim> moments = Mat<dim>::Zero();
+  neighbors.each(particles, i, [&](int j, const Vec<dim>& x_ij, double r) {
+    if (!has_pressure(particles.kind[j])) return;
+    const Vec<dim> direction = weight(r, neighbors.re()) / (r * r) * x_ij;
+    sum += (particles.p[j] - particles.p[i]) * direction;
+    moments += direction * x_ij.transpose();
+  });
+  moments *= dim / n0;  // identity on the lattice
+  constexpr double flat = 0.05;
+  return dim / n0 * (moments.determinant() > flat ? Vec<dim>(moments.inverse() * sum) : sum);
+}
+
+template <int dim>
+Vec<dim> even_out(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i, double n0) {
+  Vec<dim> crowding = Vec<dim>::Zero();
+  bool inner = particles.free_surface[i] == 0;
+  neighbors.each(particles, i, [&](int j, const Vec<dim>& x_ij, double r) {
+    inner = inner && (particles.kind[j] != Kind::fluid || particles.free_surface[j] == 0);
+    crowding += weight(r, neighbors.re()) / r * x_ij;
+  });
+  if (!inner) return Vec<dim>::Zero();
+  return -dim / n0 * crowding;
+}
+
+template <int dim>
 double divergence(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i, double n0,
                   const Vec<dim>& kick) {
   const auto kicked = [&](int k) { return particles.kind[k] == Kind::fluid ? 0.0 : 1.0; };
@@ -62,6 +92,10 @@ template Vec<2> gradient_p_min<2>(const Particles<2>&, const Neighbors<2>&, int,
 template Vec<3> gradient_p_min<3>(const Particles<3>&, const Neighbors<3>&, int, double);
 template Vec<2> gradient_conserving<2>(const Particles<2>&, const Neighbors<2>&, int, double, const Vec<2>&);
 template Vec<3> gradient_conserving<3>(const Particles<3>&, const Neighbors<3>&, int, double, const Vec<3>&);
+template Vec<2> gradient_corrected<2>(const Particles<2>&, const Neighbors<2>&, int, double);
+template Vec<3> gradient_corrected<3>(const Particles<3>&, const Neighbors<3>&, int, double);
+template Vec<2> even_out<2>(const Particles<2>&, const Neighbors<2>&, int, double);
+template Vec<3> even_out<3>(const Particles<3>&, const Neighbors<3>&, int, double);
 template double divergence<2>(const Particles<2>&, const Neighbors<2>&, int, double, const Vec<2>&);
 template double divergence<3>(const Particles<3>&, const Neighbors<3>&, int, double, const Vec<3>&);
 template Vec<2> velocity_laplacian<2>(const Particles<2>&, const Neighbors<2>&, int, double, double);

@@ -18,6 +18,18 @@ template <int dim>
 Vec<dim> gradient_conserving(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i,
                              double n0, const Vec<dim>& rho_g);
 
+/// Pressure gradient of particle i, eq. (9c): M^-1 (d / n0) sum of (P_j - P_i) x_ij / r^2 w over neighbours
+/// with a pressure, M = (d / n0) sum of x_ij (x) x_ij / r^2 w. Exact for a linear pressure on any
+/// arrangement; without M^-1 where the neighbours lie nearly on a line.
+template <int dim>
+Vec<dim> gradient_corrected(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i,
+                            double n0);
+
+/// Direction in which particle i would be less crowded, eq. (18): -(d / n0) sum of x_ij / r w over all
+/// neighbours; zero at and next to the free surface, where the sum points out of the water.
+template <int dim>
+Vec<dim> even_out(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i, double n0);
+
 /// Velocity divergence at particle i, eq. (10): (d / n0) sum of (u_j - u_i) . x_ij / r^2 w over all
 /// neighbours. `kick` [m/s] is added to the velocity of walls and bodies: what gravity has given the water in
 /// the prediction. The Neumann condition of eq. (11) takes it back from both; without it the source would

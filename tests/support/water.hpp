@@ -6,6 +6,7 @@
 
 #include "fluid_solver/density.hpp"
 #include "fluid_solver/neighbors.hpp"
+#include "fluid_solver/walls.hpp"
 #include "proto/case.pb.h"
 
 namespace cosurge::fluid::test {
@@ -61,8 +62,22 @@ inline v1::Fluid tank_of_water(double spacing, const v1::Box& tank, const std::v
   v1::Fluid fluid;
   fluid.set_spacing(spacing);
   *fluid.mutable_tank() = tank;
-  for (const v1::Box& box : water) *fluid.add_water() = box;
+  for (const v1::Box& box : water) {
+    v1::Shape& shape = *fluid.add_water();
+    *shape.mutable_min() = box.min();
+    *shape.mutable_max() = box.max();
+  }
   return fluid;
+}
+
+/// The walls of an empty tank, with three layers of dummies.
+template <int dim>
+Walls<dim> walls_of(const Box<dim>& tank, double spacing) {
+  v1::Fluid fluid;
+  fluid.set_spacing(spacing);
+  fluid.mutable_tank()->mutable_min()->Assign(tank.min.begin(), tank.min.end());
+  fluid.mutable_tank()->mutable_max()->Assign(tank.max.begin(), tank.max.end());
+  return Walls<dim>(fluid, 3);
 }
 
 /// A structure of one body.

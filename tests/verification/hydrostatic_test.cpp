@@ -19,7 +19,7 @@ double wall_error(const v1::Case& c, const Snapshot& frame) {
   const auto& x = array(frame, "position");
   const auto& p = array(frame, "pressure");
   const auto& kind = array(frame, "kind");
-  const v1::Box& water = c.fluid().water(0);
+  const v1::Shape& water = c.fluid().water(0);
   const double l0 = c.fluid().spacing();
   const double depth = water.max(1);
   const double rho_g = -c.fluid().density() * c.gravity(1);

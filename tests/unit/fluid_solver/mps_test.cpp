@@ -247,7 +247,7 @@ TEST(MpsStep, ImpossibleSpeedsEndTheRunInWords) {
 TEST(MpsStep, ABodySpeedThatIsNoNumberEndsTheRunInWords) {
   v1::Fluid fluid = small_dam_break();
   fluid.set_source(v1::Fluid::mixed);
-  *fluid.mutable_water(0) = box_of({0, 0}, {0.15, 0.2});
+  fluid.mutable_water(0)->set_max(0, 0.15);
   Mps<2> mps(fluid, &plate, down);
   const Field velocity = Field::Constant(2, mps.bodies().points(), std::numeric_limits<double>::quiet_NaN());
   mps.move_bodies(Field::Zero(2, mps.bodies().points()), velocity);

@@ -138,6 +138,57 @@ TYPED_TEST(Operators, TheConservingGradientAddsUpToNothingForAnyPressures) {
   EXPECT_LT(sum.norm() / size, 1e-14);  // rounding of 400 terms that cancel in pairs
 }
 
+TYPED_TEST(Operators, TheCorrectedGradientIsExactForALinearPressureInDisorder) {
+  constexpr int dim = TypeParam::value;
+  auto cloud = block<dim>(test::Counts<dim>::Constant(dim == 2 ? 20 : 8), l0, 0.3);
+  const Vec<dim> slope = 100 * Vec<dim>::LinSpaced(1, 3);
+  auto& particles = cloud.particles;
+  for (int i = 0; i < particles.size(); ++i) particles.p[i] = 7 + slope.dot(particles.x[i]);
+  double plain = 0;
+  for (int i = 0; i < particles.size(); ++i) {
+    if (particles.x[i].minCoeff() < l0) continue;  // a corner may have too few neighbours
+    EXPECT_LT((gradient_corrected(particles, cloud.neighbors, i, 6.5) - slope).norm(), 1e-9 * slope.norm())
+        << i;
+    plain = std::max(plain, (gradient_p_min(particles, cloud.neighbors, i, 6.5) - slope).norm());
+  }
+  EXPECT_GT(plain, 0.1 * slope.norm());
+}
+
+TYPED_TEST(Operators, TheCorrectedGradientStaysFiniteInASingleRow) {
+  constexpr int dim = TypeParam::value;
+  auto counts = test::Counts<dim>(test::Counts<dim>::Constant(1));
+  counts[0] = 10;
+  auto cloud = block<dim>(counts, l0);
+  for (int i = 0; i < cloud.particles.size(); ++i) cloud.particles.p[i] = 1000 * cloud.particles.x[i][0];
+  const Vec<dim> gradient = gradient_corrected(cloud.particles, cloud.neighbors, 5, 6.5);
+  EXPECT_TRUE(gradient.allFinite());
+  EXPECT_GT(gradient[0], 0);
+}
+
+TYPED_TEST(Operators, EveningOutLeavesTheLatticeAsItIsAndPartsACrowdedPair) {
+  constexpr int dim = TypeParam::value;
+  Lattice<dim> l;
+  auto& [particles, neighbors] = l.cloud;
+  EXPECT_LT(even_out(particles, neighbors, l.i, l.reference.n0).norm(), 1e-12);
+  particles.x[l.i][0] += 0.3 * l0;  // towards its neighbour on the right
+  neighbors.rebuild(particles);
+  const int moved = l.cloud.nearest(particles.x[l.i]);
+  EXPECT_LT(even_out(particles, neighbors, moved, l.reference.n0)[0], -0.01);
+}
+
+TYPED_TEST(Operators, EveningOutStopsBesideTheFreeSurface) {
+  constexpr int dim = TypeParam::value;
+  Lattice<dim> l;
+  auto& [particles, neighbors] = l.cloud;
+  particles.x[l.i][0] += 0.3 * l0;
+  bool first = true;
+  neighbors.each(particles, l.i, [&](int j, const Vec<dim>&, double) {
+    if (first) particles.free_surface[j] = 1;
+    first = false;
+  });
+  EXPECT_EQ(even_out(particles, neighbors, l.i, l.reference.n0).norm(), 0);
+}
+
 /// Root mean square errors of divergence and Laplacian of a wave, in units of their root mean squares.
 template <int dim>
 std::pair<double, double> wave_errors(int count, double disorder) {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "fluid_solver/bodies.hpp"
-#include "fluid_solver/tank.hpp"
+#include "fluid_solver/walls.hpp"
 #include "fluid_solver/weight.hpp"
 #include "tests/support/water.hpp"
 
@@ -40,7 +40,7 @@ struct Tank {
                   .gravity = -g * Vec<dim>::Unit(dim - 1)}) {
     box.max[dim - 1] = p.water + 0.04;
     fill_with_water(p);
-    add_tank(cloud.particles, box, 3, l0);
+    test::walls_of<dim>(box, l0).add_to(cloud.particles);
     first_body = cloud.particles.size();
     if (p.solid != nullptr) bodies = Bodies<dim>(*p.solid, box, l0);
     for (int k = 0; k < bodies.points(); ++k)
@@ -60,7 +60,7 @@ struct Tank {
   Box<dim> domain(const SceneParameters& p) const {
     Box<dim> inner = box;
     inner.max[dim - 1] = p.water + 0.04;
-    return tank_domain<dim>(inner, 3, l0);
+    return test::walls_of<dim>(inner, l0).domain();
   }
 
   void fill_with_water(const SceneParameters& p) {

@@ -1,0 +1,182 @@
+#!/usr/bin/python3
+"""How right the water is, and what that costs: tables of docs/verification.md.
+
+Usage: benchmarks/fluid_accuracy.py TABLE [--threads N] [--csv FILE]
+
+TABLE is one of
+  hydrostatic  water at rest for 5 s: pressure on the walls, kinetic energy, drift of the level, density at the floor
+  noise        dam break on a rigid plate, 2 mm: noise of the pressure on it for each source, gradient and window
+  convergence  dam break on a rigid plate, 8, 4, 2 and 1 mm: arrival of the front and impulse on the plate
+  soft         dam break on a rigid plate, 2 mm: what the soft water of public codes gains and costs
+
+Runs build/release/bin/cosurge. Finished runs are kept in build/accuracy and not repeated.
+"""
+import argparse
+import csv
+import hashlib
+import json
+import pathlib
+import subprocess
+import sys
+
+import h5py
+import numpy as np
+from scipy.signal import butter, sosfiltfilt
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+RUNS = ROOT / "build/accuracy"
+GRAVITY, DENSITY = 9.81, 1000.0
+CUT_OFF = 70.0  # Hz, of the low-pass for impact pressures: the published study's
+SCHEMES = [("deviation", "p_min"), ("mixed", "p_min"), ("mixed", "conserving"), ("time_scale", "p_min"),
+           ("time_scale", "conserving")]
+
+
+def run(case, settings, threads):
+    """Folder of the finished run of `case` with `settings` ({key: value})."""
+    words = [f"{key}={value}" for key, value in settings.items()]
+    folder = RUNS / f"{case}_{hashlib.sha1(' '.join(words).encode()).hexdigest()[:12]}"
+    summary = folder / "summary.json"
+    if not (summary.exists() and json.loads(summary.read_text())["status"] == "finished"):
+        print(f"{case} {' '.join(words)}", file=sys.stderr, flush=True)
+        command = [ROOT / "build/release/bin/cosurge", "run", ROOT / "cases" / case, "--out", folder, "--threads",
+                   str(threads), "--set", *words]
+        subprocess.run(["rm", "-rf", folder], check=True)
+        subprocess.run(command, check=False, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    return folder
+
+
+def status(folder):
+    summary = folder / "summary.json"
+    return json.loads(summary.read_text()) if summary.exists() else {"status": "failed"}
+
+
+def core_seconds(summary):
+    return sum(part["seconds"]["cpu"] for part in summary["participants"].values())
+
+
+def wall_error(file, frame, water, spacing):
+    """Root mean square of P - rho g (H - y) over rho g H on the walls that water stands against, up to two spacings
+    below the surface."""
+    x, p, kind = (file[f"frames/fluid/{name}"][frame] for name in ("position", "pressure", "kind"))
+    (left, _), (right, depth) = water
+    beside = (kind == 1) & (x[:, 0] > left - spacing) & (x[:, 0] < right + spacing) & (x[:, 1] < depth - 2 * spacing)
+    error = p[beside] - DENSITY * GRAVITY * (depth - x[beside, 1])
+    return np.sqrt(np.mean(error**2)) / (DENSITY * GRAVITY * depth)
+
+
+def density_at_floor(file, frame, water, spacing):
+    """Mean n / n0 of the water within four spacings above the floor, off the side walls."""
+    x, n, kind = (file[f"frames/fluid/{name}"][frame] for name in ("position", "number_density", "kind"))
+    (left, _), (right, _) = water
+    deep = (kind == 0) & (x[:, 1] < 4 * spacing) & (x[:, 0] > left + 4 * spacing) & (x[:, 0] < right - 4 * spacing)
+    return n[deep].mean()
+
+
+def hydrostatic(threads):
+    for source, gradient in SCHEMES:
+        for window in (2e-4, 1e-4):
+            folder = run("hydrostatic", {"fluid.source": source, "fluid.gradient": gradient, "time.window": window,
+                                         "time.end": 5, "output.frame_interval": 0.05}, threads)
+            summary = status(folder)
+            row = {"source": source, "gradient": gradient, "window_s": window, "status": summary["status"]}
+            if summary["status"] == "finished":
+                with h5py.File(folder / "results.h5") as file:
+                    case = json.loads(file.attrs["case"])["fluid"]
+                    water = case["water"][0]["min"], case["water"][0]["max"]
+                    errors = [wall_error(file, k, water, case["spacing"]) for k in range(len(file["frames/time"]))]
+                    history = {name: file[f"history/fluid/{name}"][:] for name in ("kinetic_energy", "gravity_energy")}
+                    after = file["history/time"][:] > 4
+                    rms = lambda a, b: np.sqrt(np.mean(np.square(errors[round(a / 0.05):round(b / 0.05) + 1])))
+                    row |= {
+                        "wall_rms_1_to_2_s": rms(1, 2), "wall_rms_4_to_5_s": rms(4, 5),
+                        "kinetic_over_weight_energy_4_to_5_s":
+                            history["kinetic_energy"][after].mean() / history["gravity_energy"][0],
+                        "level_drift": history["gravity_energy"][after].mean() / history["gravity_energy"][0] - 1,
+                        "n_over_n0_at_floor": density_at_floor(file, -1, water, case["spacing"]),
+                    }
+                row["core_s"] = core_seconds(summary)
+            yield row
+
+
+def impact(folder):
+    """What the dam break on the plate is judged by."""
+    with h5py.File(folder / "results.h5") as file:
+        case = json.loads(file.attrs["case"])
+        plate = case["solid"]["body"][0]["box"]["min"][0]
+        time = file["history/time"][:]
+        front = file["history/fluid/front"][:]
+        p = file["history/fluid/P01"][:]
+        frame = int(np.searchsorted(file["frames/time"][:], 0.1 - 1e-9))
+        water = case["fluid"]["water"][0]["min"], case["fluid"]["water"][0]["max"]
+        density = density_at_floor(file, frame, water, case["fluid"]["spacing"])
+        force = file["history/coupling/force_x"][:]
+    even = np.arange(time[0], time[-1], 2e-5)
+    p_even = np.interp(even, time, p)
+    low = sosfiltfilt(butter(4, CUT_OFF, fs=1 / 2e-5, output="sos"), p_even)
+    wet = even > 0.14
+    within = time < 0.3
+    return {
+        "front_s": time[np.argmax(front >= plate - 0.5e-3)], "P01_peak_raw_Pa": p.max(), "P01_peak_70Hz_Pa": low.max(),
+        "noise": np.sqrt(np.mean((p_even - low)[wet]**2)) / low.max(),
+        "impulse_P01_to_0.3s_Pa_s": np.trapezoid(p[within], time[within]) if hasattr(np, "trapezoid")
+        else np.trapz(p[within], time[within]),
+        "impulse_plate_to_0.3s_N_s": np.sum(force[within] * np.diff(time, prepend=0)[within]),
+        "n_over_n0_at_floor_0.1s": density,
+    }
+
+
+def dam_break(settings, threads):
+    """Row of a dam break on the rigid plate to 0.35 s."""
+    folder = run("dam_break_rigid", settings | {"time.end": 0.35, "output.frame_interval": 0.05}, threads)
+    summary = status(folder)
+    row = {"status": summary["status"]}
+    if summary["status"] == "finished":
+        row |= impact(folder) | {"windows": summary["windows"], "core_s": core_seconds(summary)}
+    return row
+
+
+def noise(threads):
+    for source, gradient in SCHEMES:
+        for window in (1e-4, 5e-5, 2e-5):
+            settings = {"fluid.source": source, "fluid.gradient": gradient, "time.window": window,
+                        "time.stepping": "fixed"}
+            yield {"source": source, "gradient": gradient, "window_s": window} | dam_break(settings, threads)
+
+
+def convergence(threads):
+    # A column and a plate that all four spacings divide; the plate is thicker than the others, which rigid it may be.
+    scene = {"fluid.water.0.max": "[0.144, 0.288]", "fluid.tank.max": "[0.576, 1.152]",
+             "solid.body.0.box": "{ min = [0.288, 0.0], max = [0.32, 0.08] }",
+             "solid.body.0.clamp": "[{ min = [0.288, -0.04], max = [0.32, 0.0] }]",
+             "output.probe": '[{ name = "P01", quantity = "pressure", position = [0.288, 0.012] }]'}
+    for source, gradient in SCHEMES:
+        for spacing in (0.008, 0.004, 0.002, 0.001):
+            settings = scene | {"fluid.source": source, "fluid.gradient": gradient, "fluid.spacing": spacing,
+                                "time.window": spacing * 0.05, "time.stepping": "fixed"}
+            yield {"source": source, "gradient": gradient, "spacing_m": spacing} | dam_break(settings, threads)
+
+
+def soft(threads):
+    for gamma, alpha in ((0.01, 1e-9), (0.01, 1e-8), (0.01, 1e-7), (0.01, 1e-6), (0.2, 1e-9)):
+        settings = {"fluid.gamma": gamma, "fluid.compressibility": alpha}
+        yield {"gamma": gamma, "alpha_per_Pa": alpha} | dam_break(settings, threads)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("table", choices=["hydrostatic", "noise", "convergence", "soft"])
+    parser.add_argument("--threads", type=int, default=1)
+    parser.add_argument("--csv", default="-", help="file to write, - for the terminal")
+    options = parser.parse_args()
+    rows = list(globals()[options.table](options.threads))
+    names = list(dict.fromkeys(name for row in rows for name in row))
+    out = sys.stdout if options.csv == "-" else open(options.csv, "w", newline="")
+    out.write(f"# benchmarks/fluid_accuracy.py {options.table} --threads {options.threads}\n")
+    writer = csv.DictWriter(out, names, lineterminator="\n")
+    writer.writeheader()
+    for row in rows:
+        writer.writerow({key: f"{value:.4g}" if isinstance(value, float) else value for key, value in row.items()})
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,113 @@
+#include "fluid_solver/walls.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace cosurge::fluid {
+
+template <int dim>
+Walls<dim>::Walls(const v1::Fluid& fluid, int dummy_layers)
+    : tank_(fluid.tank()),
+      spacing_(fluid.spacing()),
+      thickness_((1 + dummy_layers) * fluid.spacing()),
+      tank_motion_(fluid.tank_motion()) {
+  parts_.push_back(tank_part());
+  for (const v1::Obstacle& obstacle : fluid.obstacle()) {
+    obstacles_.emplace_back(obstacle.shape());
+    parts_.push_back(obstacle_part(obstacle, obstacles_.back()));
+  }
+}
+
+template <int dim>
+auto Walls<dim>::tank_part() const -> Part {
+  Part part{.place = {}, .kind = {}, .motion = tank_motion_};
+  Box<dim> outer = tank_;
+  outer.min.array() -= thickness_;
+  outer.max.template head<dim - 1>().array() += thickness_;
+  for (const Vec<dim>& x : fill(outer, spacing_)) {
+    if (tank_.contains(x)) continue;
+    const double depth =
+        std::max((tank_.min - x).maxCoeff(), (x - tank_.max).template head<dim - 1>().maxCoeff());
+    part.place.push_back(x);
+    part.kind.push_back(depth < spacing_ ? Kind::wall : Kind::dummy);
+  }
+  return part;
+}
+
+template <int dim>
+auto Walls<dim>::obstacle_part(const v1::Obstacle& obstacle, const Shape<dim>& shape) const -> Part {
+  Part part{.place = {}, .kind = {}, .motion = Motion<dim>(obstacle.motion())};
+  for (const Vec<dim>& x : shape.fill(spacing_)) {
+    bool bare = false;  // with a site beside it that is not of the obstacle
+    for (int axis = 0; axis < dim; ++axis)
+      for (const double side : {-spacing_, spacing_}) {
+        Vec<dim> across = x;
+        across[axis] += side;
+        bare = bare || !shape.contains(across);
+      }
+    part.place.push_back(x);
+    part.kind.push_back(bare ? Kind::wall : Kind::dummy);
+  }
+  return part;
+}
+
+template <int dim>
+void Walls<dim>::add_to(Particles<dim>& particles) {
+  for (Part& part : parts_) {
+    part.first_id = particles.size();
+    for (std::size_t k = 0; k < part.place.size(); ++k) particles.add(part.kind[k], part.place[k]);
+  }
+}
+
+template <int dim>
+bool Walls<dim>::covers(const Vec<dim>& x) const {
+  return std::any_of(obstacles_.begin(), obstacles_.end(),
+                     [&](const auto& shape) { return shape.contains(x); });
+}
+
+template <int dim>
+Box<dim> Walls<dim>::domain() const {
+  Box<dim> domain = tank_motion_.sweep(tank_);
+  for (std::size_t k = 0; k < obstacles_.size(); ++k) {
+    const Box<dim> swept = parts_[k + 1].motion.sweep(obstacles_[k].bounds());
+    domain.min = domain.min.cwiseMin(swept.min);
+    domain.max = domain.max.cwiseMax(swept.max);
+  }
+  const double margin = thickness_ + spacing_;
+  domain.min.array() -= margin;
+  domain.max.array() += margin;
+  domain.max[dim - 1] += tank_.max[dim - 1] - tank_.min[dim - 1];
+  return domain;
+}
+
+template <int dim>
+void Walls<dim>::move(Particles<dim>& particles, double end, double dt) {
+  speed_ = 0;
+  if (std::none_of(parts_.begin(), parts_.end(), [](const Part& part) { return part.motion.moves(); }))
+    return;
+  for (int i = 0; i < particles.size(); ++i) {
+    if (particles.kind[i] != Kind::wall && particles.kind[i] != Kind::dummy) continue;
+    const auto of =
+        std::prev(std::upper_bound(parts_.begin(), parts_.end(), particles.id[i],
+                                   [](std::int32_t id, const Part& p) { return id < p.first_id; }));
+    if (!of->motion.moves()) continue;
+    const Vec<dim>& X = of->place[static_cast<std::size_t>(particles.id[i] - of->first_id)];
+    particles.x[i] = of->motion.place(X, end);
+    particles.u[i] = (particles.x[i] - of->motion.place(X, end - dt)) / dt;
+    speed_ = std::max(speed_, particles.u[i].norm());
+  }
+}
+
+template <int dim>
+bool Walls<dim>::outside(const Vec<dim>& x, double t) const {
+  Box<dim> allowed = tank_;
+  allowed.min.array() -= spacing_;
+  allowed.max.array() += spacing_;
+  allowed.max[dim - 1] = std::numeric_limits<double>::max();  // the domain bounds the open top
+  return !allowed.contains(tank_motion_.moves() ? tank_motion_.origin(x, t) : x);
+}
+
+template class Walls<2>;
+template class Walls<3>;
+
+}  // namespace cosurge::fluid

@@ -1,0 +1,57 @@
+// The walls: tank and obstacles, at rest or in a prescribed motion.
+#pragma once
+
+#include "common/shape.hpp"
+#include "fluid_solver/motion.hpp"
+#include "fluid_solver/particles.hpp"
+
+namespace cosurge::fluid {
+
+template <int dim>
+class Walls {
+ public:
+  /// The tank of the case: floor and side walls, one layer with pressure and `dummy_layers` behind it,
+  /// corners filled, open at the top (the last coordinate). Obstacles: their outermost layer has pressure.
+  Walls(const v1::Fluid& fluid, int dummy_layers);
+
+  /// Adds all wall and dummy particles.
+  void add_to(Particles<dim>& particles);
+
+  /// Whether an obstacle takes this place at the start.
+  bool covers(const Vec<dim>& x) const;
+
+  /// Where particles may be: the tank with its walls wherever they move, and as much again above its open
+  /// top.
+  Box<dim> domain() const;
+
+  /// Puts the walls that move where they are at time `end`, with their mean velocity over `dt` before.
+  void move(Particles<dim>& particles, double end, double dt);
+
+  /// Largest speed of a wall in the last move [m/s].
+  double speed() const { return speed_; }
+
+  /// Whether x at time t has left the tank by more than a spacing, through floor or sides.
+  bool outside(const Vec<dim>& x, double t) const;
+
+ private:
+  /// A tank or obstacle that moves as one.
+  struct Part {
+    std::vector<Vec<dim>> place;  // of its particles at the start
+    std::vector<Kind> kind;
+    Motion<dim> motion;
+    std::int32_t first_id = 0;
+  };
+
+  Part tank_part() const;
+  Part obstacle_part(const v1::Obstacle& obstacle, const Shape<dim>& shape) const;
+
+  Box<dim> tank_;
+  double spacing_;
+  double thickness_;  // of the tank's walls [m]
+  std::vector<Shape<dim>> obstacles_;
+  Motion<dim> tank_motion_;
+  std::vector<Part> parts_;
+  double speed_ = 0;
+};
+
+}  // namespace cosurge::fluid

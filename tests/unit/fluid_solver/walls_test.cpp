@@ -1,0 +1,180 @@
+#include "fluid_solver/walls.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <numbers>
+
+#include "fluid_solver/gauges.hpp"
+#include "tests/support/water.hpp"
+
+namespace cosurge::fluid {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double l0 = 0.01;
+
+v1::WallMotion formula() {
+  v1::WallMotion motion;
+  for (const double a : {0.02, 0.01}) motion.add_amplitude(a);
+  for (const double x : {0.1, 0.0}) motion.add_pivot(x);
+  motion.set_angle(0.3);
+  motion.set_frequency(2);
+  motion.set_phase(0.5);
+  return motion;
+}
+
+v1::WallMotion table() {
+  v1::WallMotion motion;
+  for (int k = 0; k <= 20; ++k)
+    for (const double value : {0.05 * k, std::sin(0.05 * k), 0.1, 0.0}) motion.add_row(value);
+  return motion;
+}
+
+TEST(Motion, FollowsItsFormula) {
+  const Motion<2> motion(formula());
+  const Vec<2> X(0.15, 0.2);
+  EXPECT_LT((motion.place(X, 0) - X).norm(), 1e-15);
+  const double t = 0.11;
+  const double s = std::sin(2 * pi * 2 * t + 0.5) - std::sin(0.5);
+  const double angle = 0.3 * s;
+  const Vec<2> turned(0.1 + 0.05 * std::cos(angle) - 0.2 * std::sin(angle),
+                      0.05 * std::sin(angle) + 0.2 * std::cos(angle));
+  EXPECT_LT((motion.place(X, t) - turned - s * Vec<2>(0.02, 0.01)).norm(), 1e-15);
+}
+
+TEST(Motion, ARampStartsItWithoutAJump) {
+  v1::WallMotion ramped = formula();
+  ramped.set_ramp(0.2);
+  const Motion<2> motion(ramped);
+  const Vec<2> X(0.15, 0.2);
+  constexpr double dt = 1e-6;
+  EXPECT_LT((motion.place(X, dt) - X).norm() / dt, 1e-4);  // of a speed of some 0.4 m/s
+  EXPECT_GT((motion.place(X, 0.2 + dt) - motion.place(X, 0.2)).norm() / dt, 0.01);
+}
+
+TEST(Motion, ATableIsMetAtItsRowsAndBetweenThemToThirdOrder) {
+  const Motion<2> motion(table());
+  for (const double t : {0.0, 0.05, 0.5, 1.0}) EXPECT_NEAR(motion.place({0, 0}, t)[0], std::sin(t), 1e-14);
+  // Cubic with slopes from differences, rows 0.05 s apart: h^3 / 6 in a slope, h / 4 of it in between.
+  EXPECT_NEAR(motion.place({0, 0}, 0.525)[0], std::sin(0.525), 1e-5);
+  EXPECT_EQ(motion.place({0, 0}, 7)[0], motion.place({0, 0}, 1)[0]);  // then it stands
+  EXPECT_EQ(motion.place({0, 0}, 0.5)[1], 0);                         // the rows count from the first
+}
+
+TEST(Motion, OriginUndoesPlace) {
+  for (const v1::WallMotion& m : {formula(), table()}) {
+    const Motion<2> motion(m);
+    const Vec<2> X(0.15, 0.2);
+    EXPECT_LT((motion.origin(motion.place(X, 0.33), 0.33) - X).norm(), 1e-15);
+  }
+}
+
+TEST(Motion, TheSweepHoldsEveryPlace) {
+  const Motion<2> motion(formula());
+  const Box<2> swept = motion.sweep({{0, 0}, {0.3, 0.3}});
+  const Vec<2> rounding = Vec<2>::Constant(1e-3);  // samples: 64 a period
+  for (double t = 0; t < 1; t += 0.01)
+    EXPECT_TRUE((Box<2>(swept.min - rounding, swept.max + rounding).contains(motion.place({0.3, 0.3}, t))));
+}
+
+/// A tank with an obstacle of 6 x 5 sites on its floor.
+v1::Fluid tank_with_obstacle(const v1::WallMotion* motion = nullptr) {
+  v1::Fluid fluid =
+      test::tank_of_water(l0, test::box_of({0, 0}, {0.3, 0.3}), {test::box_of({0, 0}, {0.2, 0.1})});
+  v1::Obstacle& obstacle = *fluid.add_obstacle();
+  for (const double x : {0.1, 0.0}) obstacle.mutable_shape()->add_min(x);
+  for (const double x : {0.16, 0.05}) obstacle.mutable_shape()->add_max(x);
+  if (motion != nullptr) *obstacle.mutable_motion() = *motion;
+  return fluid;
+}
+
+TEST(Walls, TheOutermostLayerOfAnObstacleHasPressureAndItsInnerSitesAreDummies) {
+  const Walls<2> walls(tank_with_obstacle(), 3);
+  Particles<2> particles;
+  Walls<2>(tank_with_obstacle(), 3).add_to(particles);
+  std::map<Kind, int> inside;
+  for (int i = 0; i < particles.size(); ++i)
+    if (walls.covers(particles.x[i])) ++inside[particles.kind[i]];
+  EXPECT_EQ(inside[Kind::wall], 6 * 5 - 4 * 3);
+  EXPECT_EQ(inside[Kind::dummy], 4 * 3);
+}
+
+TEST(Walls, WaterGivesWayToAnObstacle) {
+  const Mps<2> mps(tank_with_obstacle(), nullptr, {0, -9.81});
+  int water = 0;
+  for (int i = 0; i < mps.particles().size(); ++i) water += mps.particles().kind[i] == Kind::fluid ? 1 : 0;
+  EXPECT_EQ(water, 20 * 10 - 6 * 5);
+}
+
+TEST(Walls, MoveAsTheyAreToldWithTheirMeanVelocity) {
+  const v1::WallMotion motion = formula();
+  Walls<2> walls(tank_with_obstacle(&motion), 3);
+  Particles<2> particles;
+  walls.add_to(particles);
+  const Particles<2> rest = particles;
+  constexpr double dt = 0.01;
+  walls.move(particles, 0.2, dt);
+  double fastest = 0;
+  const Motion<2> path(motion);
+  for (int i = 0; i < particles.size(); ++i) {
+    const bool obstacle = walls.covers(rest.x[i]);
+    const Vec<2> there = obstacle ? path.place(rest.x[i], 0.2) : rest.x[i];
+    EXPECT_LT((particles.x[i] - there).norm(), 1e-15);
+    const Vec<2> before = obstacle ? path.place(rest.x[i], 0.2 - dt) : rest.x[i];
+    EXPECT_LT((particles.u[i] - (there - before) / dt).norm(), 1e-13);
+    fastest = std::max(fastest, particles.u[i].norm());
+  }
+  EXPECT_EQ(walls.speed(), fastest);
+  EXPECT_GT(fastest, 0.01);
+}
+
+TEST(Walls, AMovingTankTakesItsBoundsAlong) {
+  v1::Fluid fluid = tank_with_obstacle();
+  *fluid.mutable_tank_motion() = table();
+  const Walls<2> walls(fluid, 3);
+  EXPECT_FALSE(walls.outside({0.9, 0.1}, 0.8));  // the tank has gone 0.717 m
+  EXPECT_TRUE(walls.outside({0.1, 0.1}, 0.8));
+  EXPECT_TRUE(walls.outside({0.9, 0.1}, 0));
+  EXPECT_TRUE(walls.domain().contains({1.1, 0.1}));
+}
+
+/// x(t) of a tank whose acceleration grows to `a` within a second and stays so.
+v1::WallMotion acceleration(double a, double end) {
+  v1::WallMotion motion;
+  for (double t = 0; t < end + 0.01; t += 0.01) {
+    const double x = t < 1 ? a / 2 * (t * t / 2 - (1 - std::cos(pi * t)) / (pi * pi))
+                           : a / 2 * (0.5 - 2 / (pi * pi)) + a / 2 * (t - 1) + a / 2 * (t - 1) * (t - 1);
+    for (const double value : {t, x, 0.0, 0.0}) motion.add_row(value);
+  }
+  return motion;
+}
+
+// Accelerated evenly, water leans by a / g: its surface is normal to g - a.
+TEST(Walls, WaterInAnAcceleratedTankLeansAsMuchAsItMust) {
+  constexpr double length = 0.2, a = 2, g = 9.81, end = 1.6;
+  v1::Fluid fluid =
+      test::tank_of_water(l0, test::box_of({0, 0}, {length, 0.3}), {test::box_of({0, 0}, {length, 0.1})});
+  fluid.set_source(v1::Fluid::mixed);
+  fluid.set_gradient(v1::Fluid::conserving);
+  *fluid.mutable_tank_motion() = acceleration(a, end);
+  const Motion<2> tank(fluid.tank_motion());
+  Mps<2> mps(fluid, nullptr, {0, -g});
+  constexpr double dt = 1e-3;
+  double difference = 0;
+  int count = 0;
+  for (int k = 0; (k + 1) * dt < end; ++k) {
+    (void)mps.step(k * dt, dt);
+    const double t = (k + 1) * dt;
+    if (t < 1.05) continue;  // one period of sloshing, 0.53 s, is averaged over
+    difference += level_at<2>(mps, tank.place({0.01, 0}, t), 0, l0) -
+                  level_at<2>(mps, tank.place({length - 0.01, 0}, t), 0, l0);
+    ++count;
+  }
+  EXPECT_EQ(mps.particles().size(), mps.initial_size());
+  EXPECT_NEAR(difference / count, (length - 0.02) * a / g, 0.5 * l0);  // to half a spacing
+}
+
+}  // namespace
+}  // namespace cosurge::fluid
