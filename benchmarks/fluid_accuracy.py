@@ -7,6 +7,7 @@ TABLE is one of
   hydrostatic  water at rest for 5 s: pressure on the walls, kinetic energy, drift of the level, density at the floor
   noise        dam break on a rigid plate, 2 mm: noise of the pressure on it for each source, gradient and window
   convergence  dam break on a rigid plate, 8, 4, 2 and 1 mm: arrival of the front and impulse on the plate
+  wave         standing wave in a tank of 1 m x 0.5 m of water, 1/20 to 1/160 m: period and decay
   soft         dam break on a rigid plate, 2 mm: what the soft water of public codes gains and costs
 
 Runs build/release/bin/cosurge. Finished runs are kept in build/accuracy and not repeated.
@@ -21,14 +22,16 @@ import sys
 
 import h5py
 import numpy as np
+from scipy.optimize import curve_fit
 from scipy.signal import butter, sosfiltfilt
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 RUNS = ROOT / "build/accuracy"
 GRAVITY, DENSITY = 9.81, 1000.0
 CUT_OFF = 70.0  # Hz, of the low-pass for impact pressures: the published study's
-SCHEMES = [("deviation", "p_min"), ("mixed", "p_min"), ("mixed", "conserving"), ("time_scale", "p_min"),
-           ("time_scale", "conserving")]
+THEORY = 1.1818  # s, period of the standing wave: omega^2 = g k tanh(k h), k = pi / 1 m, h = 0.5 m
+SCHEMES = [("deviation", "p_min"), ("deviation", "corrected"), ("mixed", "conserving"), ("mixed", "corrected"),
+           ("time_scale", "corrected")]
 
 
 def run(case, settings, threads):
@@ -149,11 +152,37 @@ def convergence(threads):
              "solid.body.0.box": "{ min = [0.288, 0.0], max = [0.32, 0.08] }",
              "solid.body.0.clamp": "[{ min = [0.288, -0.04], max = [0.32, 0.0] }]",
              "output.probe": '[{ name = "P01", quantity = "pressure", position = [0.288, 0.012] }]'}
-    for source, gradient in SCHEMES:
+    for source, gradient in (SCHEMES[0], SCHEMES[3], SCHEMES[4]):
         for spacing in (0.008, 0.004, 0.002, 0.001):
             settings = scene | {"fluid.source": source, "fluid.gradient": gradient, "fluid.spacing": spacing,
                                 "time.window": spacing * 0.05, "time.stepping": "fixed"}
             yield {"source": source, "gradient": gradient, "spacing_m": spacing} | dam_break(settings, threads)
+
+
+def damped_wave(time, height):
+    """Period [s] and decay [1/s] of a cos(w t + p) exp(-d t) fitted to the history from its first quarter on."""
+    late = time > 0.25 * THEORY
+    shape = lambda t, a, d, w, p: a * np.exp(-d * t) * np.cos(w * t + p)
+    (_, decay, omega, _), _ = curve_fit(shape, time[late], height[late], p0=[0.05, 0.1, 2 * np.pi / THEORY, 0])
+    return 2 * np.pi / omega, decay
+
+
+def wave(threads):
+    for source, gradient in SCHEMES:
+        for spacing in (0.05, 0.025, 0.0125, 0.00625):
+            folder = run("standing_wave", {"fluid.source": source, "fluid.gradient": gradient, "fluid.spacing": spacing,
+                                           "fluid.tank.max": "[1.0, 0.8]", "time.window": spacing / 12.5}, threads)
+            summary = status(folder)
+            row = {"source": source, "gradient": gradient, "spacing_m": spacing, "status": summary["status"]}
+            if summary["status"] == "finished":
+                with h5py.File(folder / "results.h5") as file:
+                    left, right = file["history/fluid/left"][:], file["history/fluid/right"][:]
+                    period, decay = damped_wave(file["history/time"][:], left - right)
+                    weight = file["history/fluid/gravity_energy"][:]
+                row |= {"period_s": period, "period_error": period / THEORY - 1, "decay_per_s": decay,
+                        "level_drift": weight[-len(weight) // 10:].mean() / weight[0] - 1,
+                        "core_s": core_seconds(summary)}
+            yield row
 
 
 def soft(threads):
@@ -164,7 +193,7 @@ def soft(threads):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("table", choices=["hydrostatic", "noise", "convergence", "soft"])
+    parser.add_argument("table", choices=["hydrostatic", "noise", "convergence", "wave", "soft"])
     parser.add_argument("--threads", type=int, default=1)
     parser.add_argument("--csv", default="-", help="file to write, - for the terminal")
     options = parser.parse_args()

@@ -240,7 +240,8 @@ Vec<dim> Mps<dim>::pressure_gradient(int i) const {
       return gradient_conserving<dim>(particles_, neighbors_, i, reference_.n0,
                                       parameters_.density() * gravity_);
     case v1::Fluid::corrected:
-      return gradient_corrected(particles_, neighbors_, i, reference_.n0);
+      return gradient_corrected(particles_, neighbors_, i, reference_.n0) +
+             repulsion(particles_, neighbors_, i, reference_.n0);
   }
   return Vec<dim>::Zero();
 }

@@ -55,6 +55,17 @@ Vec<dim> gradient_corrected(const Particles<dim>& particles, const Neighbors<dim
 }
 
 template <int dim>
+Vec<dim> repulsion(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i, double n0) {
+  double lowest = particles.p[i];
+  Vec<dim> directions = Vec<dim>::Zero();
+  neighbors.each(particles, i, [&](int j, const Vec<dim>& x_ij, double r) {
+    if (has_pressure(particles.kind[j])) lowest = std::min(lowest, particles.p[j]);
+    directions += weight(r, neighbors.re()) / (r * r) * x_ij;
+  });
+  return dim / n0 * (particles.p[i] - lowest) * directions;
+}
+
+template <int dim>
 Vec<dim> even_out(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i, double n0) {
   Vec<dim> crowding = Vec<dim>::Zero();
   bool inner = particles.free_surface[i] == 0;
@@ -94,6 +105,8 @@ template Vec<2> gradient_conserving<2>(const Particles<2>&, const Neighbors<2>&,
 template Vec<3> gradient_conserving<3>(const Particles<3>&, const Neighbors<3>&, int, double, const Vec<3>&);
 template Vec<2> gradient_corrected<2>(const Particles<2>&, const Neighbors<2>&, int, double);
 template Vec<3> gradient_corrected<3>(const Particles<3>&, const Neighbors<3>&, int, double);
+template Vec<2> repulsion<2>(const Particles<2>&, const Neighbors<2>&, int, double);
+template Vec<3> repulsion<3>(const Particles<3>&, const Neighbors<3>&, int, double);
 template Vec<2> even_out<2>(const Particles<2>&, const Neighbors<2>&, int, double);
 template Vec<3> even_out<3>(const Particles<3>&, const Neighbors<3>&, int, double);
 template double divergence<2>(const Particles<2>&, const Neighbors<2>&, int, double, const Vec<2>&);

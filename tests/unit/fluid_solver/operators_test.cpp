@@ -165,6 +165,18 @@ TYPED_TEST(Operators, TheCorrectedGradientStaysFiniteInASingleRow) {
   EXPECT_GT(gradient[0], 0);
 }
 
+TYPED_TEST(Operators, TheRepulsionLeavesTheLatticeAsItIsAndPartsACrowdedPair) {
+  constexpr int dim = TypeParam::value;
+  Lattice<dim> l;
+  auto& [particles, neighbors] = l.cloud;
+  for (int i = 0; i < particles.size(); ++i) particles.p[i] = 1e5 - 9810 * particles.x[i][dim - 1];
+  EXPECT_LT(repulsion(particles, neighbors, l.i, l.reference.n0).norm(), rounding * 9810);
+  particles.x[l.i][0] += 0.3 * l0;  // towards its neighbour on the right
+  neighbors.rebuild(particles);
+  const int moved = l.cloud.nearest(particles.x[l.i]);
+  EXPECT_GT(repulsion(particles, neighbors, moved, l.reference.n0)[0], 100);  // a gradient that pushes back
+}
+
 TYPED_TEST(Operators, EveningOutLeavesTheLatticeAsItIsAndPartsACrowdedPair) {
   constexpr int dim = TypeParam::value;
   Lattice<dim> l;
