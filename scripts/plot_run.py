@@ -5,6 +5,7 @@ snapshots.png  the water by pressure and the structure at six instants
 tip.png        displacement probes; published curves beside them where the case folder has some (reference/*.csv)
 front.png      front of the water on the floor, where the case folder has published fronts
 pressure.png   pressure probes, raw and low-passed, and their spectra
+level.png      level probes
 energy.png     kinetic, potential and elastic energy, and the work through the interface
 timing.png     where the wall time went
 
@@ -232,9 +233,9 @@ def tip(run, case_folder):
 
 def front(run, case_folder):
     references = reference_curves(case_folder, ["t", "z"])
-    if not references or "fluid/front" not in run.history:
+    column = run.case["fluid"]["water"][0] if "fluid/front" in run.history else {}
+    if not references or "max" not in column:
         return None
-    column = run.case["fluid"]["water"][0]
     width = column["max"][0] - column["min"][0]
     gravity = np.linalg.norm(run.case["gravity"])
     figure, axes = plt.subplots(layout="constrained", figsize=(7, 4.6))
@@ -286,6 +287,19 @@ def pressure(run):
         right.axvline(CUT_OFF, color="0.5", ls=":", lw=1)
         right.set(xlabel="f [Hz]", ylabel="amplitude [kPa]", title="single-sided spectrum",
                   xlim=(0, min(5 * CUT_OFF, rate / 2)))
+    return figure
+
+
+def level(run):
+    probes = [p for p in run.probes("level") if f"fluid/{p['name']}" in run.history]
+    if not probes or not len(run.time):
+        return None
+    figure, axes = plt.subplots(layout="constrained", figsize=(9, 4))
+    for probe in probes:
+        place = ", ".join(f"{x:g}" for x in probe["position"][:-1])
+        axes.plot(run.time, run.history[f"fluid/{probe['name']}"], lw=1.4, label=f"{probe['name']}, at {place} m")
+    axes.set(xlabel="t [s]", ylabel="level [m]", title=f"{run.title}: free surface", xlim=(0, None))
+    axes.legend(fontsize=8)
     return figure
 
 
@@ -380,7 +394,7 @@ def main():
     out.mkdir(parents=True, exist_ok=True)
     case_folder = arguments.case or find_case_folder(run)
     pictures = {"snapshots": snapshots(run), "tip": tip(run, case_folder), "front": front(run, case_folder),
-                "pressure": pressure(run), "energy": energy(run), "timing": timing(run)}
+                "pressure": pressure(run), "level": level(run), "energy": energy(run), "timing": timing(run)}
     for name, figure in pictures.items():
         if figure is not None:
             figure.savefig(out / f"{name}.png")
