@@ -1,7 +1,9 @@
 #include "common/line.hpp"
 
 #include <array>
+#include <atomic>
 #include <cstring>
+#include <mutex>
 #include <vector>
 
 #include "common/error.hpp"
@@ -10,7 +12,6 @@ namespace cosurge {
 namespace {
 
 constexpr int heartbeat_interval = 250;  // [ms]
-constexpr const char* monitor_endpoint = "inproc://monitor";
 constexpr int watched_events = ZMQ_EVENT_HANDSHAKE_SUCCEEDED | ZMQ_EVENT_HANDSHAKE_FAILED_NO_DETAIL |
                                ZMQ_EVENT_HANDSHAKE_FAILED_PROTOCOL | ZMQ_EVENT_HANDSHAKE_FAILED_AUTH |
                                ZMQ_EVENT_DISCONNECTED;
@@ -26,6 +27,17 @@ void check(const std::string& endpoint) {
       "endpoint {}: the path is longer than the {} characters that a Unix socket can have; set TMPDIR to a "
       "shorter folder",
       endpoint, longest_path);
+}
+
+/// One context for all lines of a process, so that one thread serves them: it is still awake when the message
+/// of one line brings about one on another.
+std::shared_ptr<zmq::context_t> context_of_process() {
+  static std::mutex mutex;
+  static std::weak_ptr<zmq::context_t> shared;
+  const std::lock_guard lock(mutex);
+  auto context = shared.lock();
+  if (!context) shared = context = std::make_shared<zmq::context_t>(1);
+  return context;
 }
 
 struct CurveKeys {
@@ -55,7 +67,7 @@ Line::~Line() {
 
 std::unique_ptr<Line> Line::listen(const std::string& endpoint) {
   check(endpoint);
-  std::unique_ptr<Line> line(new Line(std::make_shared<zmq::context_t>(1)));
+  std::unique_ptr<Line> line(new Line(context_of_process()));
   line->accepts_ = true;
   if (is_tcp(endpoint)) {
     const CurveKeys keys = new_keys();
@@ -75,7 +87,7 @@ std::unique_ptr<Line> Line::listen(const std::string& endpoint) {
 
 std::unique_ptr<Line> Line::connect(const Connection& connection) {
   check(connection.endpoint);
-  std::unique_ptr<Line> line(new Line(std::make_shared<zmq::context_t>(1)));
+  std::unique_ptr<Line> line(new Line(context_of_process()));
   line->endpoint_ = connection.endpoint;
   if (is_tcp(connection.endpoint)) {
     require(connection.server_key.size() == 40,
@@ -112,10 +124,12 @@ std::pair<std::unique_ptr<Line>, std::unique_ptr<Line>> Line::pair() {
 void Line::watch() {
   socket_.set(zmq::sockopt::heartbeat_ivl, heartbeat_interval);
   socket_.set(zmq::sockopt::heartbeat_timeout, static_cast<int>(silence * 1000));
-  if (zmq_socket_monitor(socket_.handle(), monitor_endpoint, watched_events) != 0) throw zmq::error_t();
+  static std::atomic<int> count = 0;
+  const std::string endpoint = fmt::format("inproc://monitor-{}", ++count);
+  if (zmq_socket_monitor(socket_.handle(), endpoint.c_str(), watched_events) != 0) throw zmq::error_t();
   monitor_ = zmq::socket_t(*context_, zmq::socket_type::pair);
   monitor_.set(zmq::sockopt::linger, 0);
-  monitor_.connect(monitor_endpoint);
+  monitor_.connect(endpoint);
 }
 
 bool Line::take(zmq::message_t& message) {
