@@ -201,6 +201,10 @@ void check_solid(const v1::Case& c, CaseErrors& errors) {
   const v1::Solid& solid = c.solid();
   if (!solid.has_spacing() && !c.has_fluid())
     return errors.add("solid.spacing", "missing (there is no fluid to take it from)");
+  const bool deformable = solid.model() != v1::SolidModel::rigid && solid.model() != v1::SolidModel::sprung;
+  if (deformable && !solid.has_young_modulus())
+    errors.add("solid.young_modulus",
+               fmt::format("missing, the model {} needs it", v1::SolidModel::Word_Name(solid.model())));
   const double spacing = solid.has_spacing() ? solid.spacing() : c.fluid().spacing();
   const double fluid_spacing = c.has_fluid() ? c.fluid().spacing() : spacing;
   // Layers, so that water on one side does not see water on the other.

@@ -6,6 +6,7 @@
 #include "common/error.hpp"
 #include "common/ordered_sum.hpp"
 #include "common/state_bytes.hpp"
+#include "fluid_solver/buried_walls.hpp"
 #include "fluid_solver/operators.hpp"
 #include "fluid_solver/pressure/source.hpp"
 
@@ -43,6 +44,11 @@ Mps<dim>::Mps(const v1::Fluid& fluid, const v1::Solid* solid, const Vec<dim>& gr
   walls_.add_to(particles_);
   first_body_id_ = particles_.size();
   const Box<dim> tank(fluid.tank());
+  if (solid != nullptr) {
+    std::vector<Box<dim>> boxes;
+    for (const v1::Body& body : solid->body()) boxes.emplace_back(body.box());
+    bury_walls(particles_, tank, boxes, fluid.re_gradient() * fluid.spacing(), fluid.spacing());
+  }
   if (solid != nullptr) bodies_ = Bodies<dim>(*solid, tank, fluid.spacing());
   for (int k = 0; k < bodies_.points(); ++k)
     particles_.add(bodies_.wet(k) ? Kind::body_surface : Kind::body_inner, bodies_.position(k));

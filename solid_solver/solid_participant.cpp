@@ -36,7 +36,7 @@ Identity SolidParticipant::identity() const {
   return {.role = Role::solid,
           .program = "solid_solver",
           .version = version,
-          .dimensions = {2},
+          .dimensions = {2, 3},
           .capabilities = {"save", "frame"}};
 }
 

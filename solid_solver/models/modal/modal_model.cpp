@@ -1,7 +1,7 @@
 #include "solid_solver/models/modal/modal_model.hpp"
 
+#include "common/error.hpp"
 #include "common/state_bytes.hpp"
-#include "solid_solver/models/modal/oscillator.hpp"
 
 namespace cosurge::modal {
 
@@ -11,32 +11,43 @@ ModalModel<dim>::ModalModel(const v1::Solid& solid, double spacing, const Vec<di
   for (const fem::FemBody<dim>& body : bodies_.bodies()) {
     modes_.push_back(lowest_modes(body, bodies_.material(), solid.modal().modes()));
     weight_.emplace_back(modes_.back().shapes.transpose() * body.weight());
-    for (Vectors* state : {&position_, &velocity_, &ramp_increment_})
-      state->push_back(fem::Vector::Zero(weight_.back().size()));
+    states_.emplace_back(static_cast<std::size_t>(weight_.back().size()));
   }
+}
+
+template <int dim>
+void ModalModel<dim>::prepare_steps(double h) {
+  if (h == steps_size_) return;
+  steps_.clear();
+  for (const Modes& modes : modes_)
+    for (const double omega_squared : modes.omega_squared) steps_.emplace_back(omega_squared, 0.0, h);
+  steps_size_ = h;
 }
 
 template <int dim>
 int ModalModel<dim>::advance(const Window& window, const NodalLoad& load) {
+  prepare_steps(window.size);
+  auto step = steps_.begin();
   for (std::size_t b = 0; b < modes_.size(); ++b) {
-    const auto& [omega_squared, shapes] = modes_[b];
+    const Eigen::MatrixXd& shapes = modes_[b].shapes;
     const fem::Vector first = shapes.transpose() * bodies_.of_body(b, load.first) + weight_[b];
     const fem::Vector last = shapes.transpose() * bodies_.of_body(b, load.last) + weight_[b];
-    for (Eigen::Index i = 0; i < omega_squared.size(); ++i) {
-      Oscillator mode{.position = position_[b][i], .velocity = velocity_[b][i]};
-      ramp_increment_[b][i] = mode.advance(omega_squared[i], first[i], last[i], window.size);
-      position_[b][i] = mode.position;
-      velocity_[b][i] = mode.velocity;
-    }
+    for (std::size_t i = 0; i < states_[b].size(); ++i, ++step)
+      step->advance(states_[b][i], first[static_cast<long>(i)], last[static_cast<long>(i)]);
   }
-  bodies_.check_motion(window, expand(velocity_));
+  bodies_.check_motion(window, motion(&OscillatorState::velocity));
   return 1;
 }
 
 template <int dim>
-typename ModalModel<dim>::Vectors ModalModel<dim>::expand(const Vectors& amplitudes) const {
+typename ModalModel<dim>::Vectors ModalModel<dim>::motion(double OscillatorState::*part) const {
   Vectors all;
-  for (std::size_t b = 0; b < modes_.size(); ++b) all.emplace_back(modes_[b].shapes * amplitudes[b]);
+  for (std::size_t b = 0; b < modes_.size(); ++b) {
+    fem::Vector amplitudes(weight_[b].size());
+    for (std::size_t i = 0; i < states_[b].size(); ++i)
+      amplitudes[static_cast<long>(i)] = states_[b][i].*part;
+    all.emplace_back(modes_[b].shapes * amplitudes);
+  }
   return all;
 }
 
@@ -44,32 +55,39 @@ template <int dim>
 Energies ModalModel<dim>::energies() const {
   Energies sum;
   for (std::size_t b = 0; b < modes_.size(); ++b) {
-    sum.kinetic += 0.5 * velocity_[b].squaredNorm();
-    sum.elastic += 0.5 * modes_[b].omega_squared.dot(position_[b].cwiseAbs2());
-    sum.gravity -= weight_[b].dot(position_[b]);
+    for (std::size_t i = 0; i < states_[b].size(); ++i) {
+      const auto mode = static_cast<long>(i);
+      const auto& [position, velocity, ramp_increment] = states_[b][i];
+      sum.kinetic += 0.5 * velocity * velocity;
+      sum.elastic += 0.5 * modes_[b].omega_squared[mode] * position * position;
+      sum.gravity -= weight_[b][mode] * position;
+    }
   }
   return sum;
 }
 
 template <int dim>
 std::vector<double> ModalModel<dim>::values() const {
-  const auto largest = bodies_.deformation(expand(position_));
+  const auto largest = bodies_.deformation(motion(&OscillatorState::position));
   return {largest.rotation, largest.strain};
 }
 
 template <int dim>
 std::string ModalModel<dim>::save() const {
   StateWriter state;
-  for (const Vectors* all : {&position_, &velocity_, &ramp_increment_})
-    for (const fem::Vector& values : *all) state.put(values);
+  for (const auto& modes : states_) state.put(modes);
   return state.take();
 }
 
 template <int dim>
 void ModalModel<dim>::restore(const std::string& text) {
   StateReader state(text);
-  for (Vectors* all : {&position_, &velocity_, &ramp_increment_})
-    for (fem::Vector& values : *all) state.get(values);
+  for (auto& modes : states_) {
+    const std::size_t count = modes.size();
+    state.get(modes);
+    require(modes.size() == count, "saved state: {} modes, not {}; it is of another case", modes.size(),
+            count);
+  }
   state.finish();
 }
 

@@ -3,6 +3,7 @@
 
 #include "solid_solver/models/fem/meshed_bodies.hpp"
 #include "solid_solver/models/modal/modes.hpp"
+#include "solid_solver/oscillator.hpp"
 
 namespace cosurge::modal {
 
@@ -26,9 +27,9 @@ class ModalModel : public SolidModel {
 
   /// One step, the window, under the linear load itself.
   int advance(const Window& window, const NodalLoad& load) override;
-  Field displacement() const override { return bodies_.to_nodes(expand(position_)); }
-  Field ramp_increment() const override { return bodies_.to_nodes(expand(ramp_increment_)); }
-  double max_speed() const override { return bodies_.max_speed(expand(velocity_)); }
+  Field displacement() const override { return bodies_.to_nodes(motion(&OscillatorState::position)); }
+  Field ramp_increment() const override { return bodies_.to_nodes(motion(&OscillatorState::ramp_increment)); }
+  double max_speed() const override { return bodies_.max_speed(motion(&OscillatorState::velocity)); }
   Energies energies() const override;
 
   /// The assumption: small angles and strains.
@@ -39,18 +40,24 @@ class ModalModel : public SolidModel {
 
   std::string save() const override;
   void restore(const std::string& state) override;
-  Snapshot frame() const override { return bodies_.frame(expand(position_), expand(velocity_)); }
+  Snapshot frame() const override {
+    return bodies_.frame(motion(&OscillatorState::position), motion(&OscillatorState::velocity));
+  }
 
  private:
   using Vectors = typename fem::MeshedBodies<dim>::Vectors;
 
-  /// From modes to the unknowns of the bodies.
-  Vectors expand(const Vectors& amplitudes) const;
+  void prepare_steps(double h);
+
+  /// One part of the modes' states on the unknowns of the bodies.
+  Vectors motion(double OscillatorState::*part) const;
 
   fem::MeshedBodies<dim> bodies_;
   std::vector<Modes> modes_;
-  Vectors weight_;  // gravity's load on the modes
-  Vectors position_, velocity_, ramp_increment_;
+  Vectors weight_;                                    // gravity's load on the modes
+  std::vector<std::vector<OscillatorState>> states_;  // of each body's modes
+  std::vector<OscillatorStep> steps_;                 // of all modes, for a window of steps_size_
+  double steps_size_ = 0;
 };
 
 }  // namespace cosurge::modal

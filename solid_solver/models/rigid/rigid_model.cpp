@@ -67,5 +67,6 @@ Snapshot RigidModel<dim>::frame() const {
 }
 
 template class RigidModel<2>;
+template class RigidModel<3>;
 
 }  // namespace cosurge

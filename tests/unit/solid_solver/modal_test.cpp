@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "solid_solver/models/modal/modal_model.hpp"
-#include "solid_solver/models/modal/oscillator.hpp"
 #include "tests/support/loaded_solid.hpp"
 
 namespace cosurge::modal {
@@ -22,46 +21,6 @@ Eigen::ArrayXd frequencies(const test::SolidParameters& p, double element, int c
       .density = p.density, .young_modulus = p.young_modulus, .poisson_ratio = p.poisson_ratio};
   const fem::FemBody<2> body(c.solid().body(0), 0, element, material, Vec<2>::Zero());
   return lowest_modes(body, material, count).omega_squared.array().sqrt() / (2 * std::numbers::pi);
-}
-
-TEST(Stumpff, SeriesAndClosedFormMeet) {
-  for (const double x : {0.25, 1 - 1e-12, 1.0, 9.0}) {
-    const auto c = stumpff(x);
-    const long double w = std::sqrt(static_cast<long double>(x));
-    EXPECT_NEAR(c[0], static_cast<double>(std::cos(w)), 1e-15);
-    EXPECT_NEAR(c[1], static_cast<double>(std::sin(w) / w), 1e-15);
-    EXPECT_NEAR(c[2], static_cast<double>((1 - std::cos(w)) / (w * w)), 1e-15);
-    EXPECT_NEAR(c[3], static_cast<double>((w - std::sin(w)) / (w * w * w)), 1e-15);
-    EXPECT_NEAR(c[4], static_cast<double>((w * w / 2 - 1 + std::cos(w)) / (w * w * w * w)), 1e-15);
-  }
-}
-
-TEST(Oscillator, OneStepIsManyStepsOfAnyOtherMethod) {
-  const double omega_squared = 30, first = 2, last = -5, h = 0.7;
-  Oscillator exact{.position = 0.3, .velocity = -1.1};
-  const double late = exact.advance(omega_squared, first, last, h);
-  // Velocity Verlet, second order: (omega dt)^2 / 24 = 6e-12 of the phase.
-  const int steps = 400'000;
-  const double dt = h / steps;
-  double x = 0.3, v = -1.1, z = 0;
-  const auto acceleration = [&](double s) { return first + s * (last - first) - omega_squared * x; };
-  for (int k = 0; k < steps; ++k) {
-    v += 0.5 * dt * acceleration(static_cast<double>(k) / steps);
-    x += dt * v;
-    z += (k + 0.5) / steps * dt * v;
-    v += 0.5 * dt * acceleration((k + 1.0) / steps);
-  }
-  EXPECT_NEAR(exact.position, x, 1e-9);
-  EXPECT_NEAR(exact.velocity, v, 1e-9);
-  EXPECT_NEAR(late, z, 1e-9);
-}
-
-TEST(Oscillator, WithoutAStiffnessItFalls) {
-  Oscillator free{.position = 1, .velocity = 2};
-  const double late = free.advance(0, 3, 3, 0.5);
-  EXPECT_NEAR(free.position, 1 + 2 * 0.5 + 3 * 0.125, 1e-15);
-  EXPECT_NEAR(free.velocity, 3.5, 1e-15);
-  EXPECT_NEAR(late, 2 * 0.25 + 3 * 0.125 * 2 / 3, 1e-15);  // integral of t / h (2 + 3 t) dt
 }
 
 TEST(Modes, AreOrthogonalAndOfUnitMass) {

@@ -1,0 +1,67 @@
+// One rigid body on springs and dampers.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "common/lattice.hpp"
+#include "common/state_bytes.hpp"
+#include "solid_solver/models/sprung/turning.hpp"
+#include "solid_solver/oscillator.hpp"
+#include "solid_solver/solid_model.hpp"
+
+namespace cosurge::sprung {
+
+/// Translations along the axes, and in the plane a rotation by any angle about a pivot, each with its spring
+/// and damper; motions without a spring in the case are held. Its nodes are the pivot and one point from
+/// there along each axis: the rigid motion is affine between them, so that H is constant for large rotations
+/// too (docs/method_solid.md, section 8).
+template <int dim>
+class SprungBody {
+ public:
+  static constexpr int nodes = dim + 1;
+  using Nodal = Eigen::Matrix<double, dim, nodes>;
+  using Coefficients = Eigen::Matrix<double, nodes, 1>;
+
+  /// @param index of the body, for messages
+  SprungBody(const v1::Body& body, int index, const v1::SolidSprung& parameters, double density,
+             const Vec<dim>& gravity);
+
+  /// The point's motion is the sum of the nodes' with these coefficients.
+  Coefficients coefficients(const Vec<dim>& x) const;
+
+  /// One window under a load on the nodes that goes linearly from first to last [N]; returns the sub-steps of
+  /// the rotation: translations are exact in time.
+  int advance(double window, const Nodal& first, const Nodal& last);
+
+  Field displacement() const;  ///< [m]
+  Field velocity() const;      ///< [m/s]
+  Field ramp_increment() const { return ramp_increment_; }
+  Energies energies() const;  ///< `elastic` is the springs', zero where the body is drawn
+  double max_speed() const;   ///< [m/s] of its corners
+
+  void save(StateWriter& state) const;
+  void restore(StateReader& state);
+
+ private:
+  struct Translation {
+    bool free = false;
+    double stiffness = 0, damping = 0, preload = 0;
+    OscillatorState state;
+  };
+
+  void free_motion(const v1::Spring& spring, double inertia, int index);
+  Nodal turned_arms() const;  // displacement of the nodes by the rotation alone
+  int turn(double window, const Nodal& first, const Nodal& last);
+  Couple couple(const Nodal& load) const;
+
+  Box<dim> box_;
+  Vec<dim> pivot_, arm_to_centre_, gravity_;
+  double length_;  // of the nodes' arms [m]
+  double mass_;
+  std::array<Translation, dim> translations_;
+  std::optional<Turning> turning_;
+  Nodal ramp_increment_ = Nodal::Zero();
+};
+
+}  // namespace cosurge::sprung

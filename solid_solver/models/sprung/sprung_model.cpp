@@ -1,0 +1,141 @@
+#include "solid_solver/models/sprung/sprung_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/error.hpp"
+
+namespace cosurge::sprung {
+
+template <int dim>
+SprungModel<dim>::SprungModel(const v1::Solid& solid, double spacing, const Vec<dim>& gravity) {
+  for (int b = 0; b < solid.body_size(); ++b) {
+    bodies_.emplace_back(solid.body(b), b, solid.sprung(), solid.density(), gravity);
+    for (const Vec<dim>& x : fill(Box<dim>(solid.body(b).box()), spacing))
+      sites_.push_back({.body = static_cast<std::size_t>(b),
+                        .position = x,
+                        .coefficients = bodies_.back().coefficients(x)});
+  }
+}
+
+template <int dim>
+Interpolation SprungModel<dim>::interpolation(const Field& position, const std::vector<int>& body) const {
+  Interpolation H(position.cols(), nodes());
+  for (Eigen::Index point = 0; point < position.cols(); ++point) {
+    const auto b = static_cast<std::size_t>(body[static_cast<std::size_t>(point)]);
+    const auto c = bodies_.at(b).coefficients(position.col(point));
+    for (int k = 0; k < per_body; ++k) H.insert(point, static_cast<Eigen::Index>(b) * per_body + k) = c[k];
+  }
+  return H;
+}
+
+template <int dim>
+int SprungModel<dim>::advance(const Window& window, const NodalLoad& load) {
+  int substeps = 1;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const auto first = static_cast<Eigen::Index>(b) * per_body;
+    const int taken = bodies_[b].advance(window.size, load.first.middleCols(first, per_body),
+                                         load.last.middleCols(first, per_body));
+    substeps = std::max(substeps, taken);
+    if (!std::isfinite(bodies_[b].energies().kinetic))
+      throw NumericalError(
+          fmt::format("solid: body {} moves at no finite speed in the window from t = {:.6g} s: "
+                      "its load runs away (a shorter time.window, or a heavier body)",
+                      b, window.start));
+  }
+  total_load_ = load.last.rowwise().sum();
+  return substeps;
+}
+
+template <int dim>
+Field SprungModel<dim>::displacement() const {
+  Field all(dim, nodes());
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    all.middleCols(static_cast<Eigen::Index>(b) * per_body, per_body) = bodies_[b].displacement();
+  return all;
+}
+
+template <int dim>
+Field SprungModel<dim>::ramp_increment() const {
+  Field all(dim, nodes());
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    all.middleCols(static_cast<Eigen::Index>(b) * per_body, per_body) = bodies_[b].ramp_increment();
+  return all;
+}
+
+template <int dim>
+double SprungModel<dim>::max_speed() const {
+  double fastest = 0;
+  for (const auto& body : bodies_) fastest = std::max(fastest, body.max_speed());
+  return fastest;
+}
+
+template <int dim>
+Energies SprungModel<dim>::energies() const {
+  Energies sum;
+  for (const auto& body : bodies_) {
+    const Energies one = body.energies();
+    sum.kinetic += one.kinetic;
+    sum.elastic += one.elastic;
+    sum.gravity += one.gravity;
+  }
+  return sum;
+}
+
+template <int dim>
+std::vector<Column> SprungModel<dim>::columns() const {
+  std::vector<Column> columns;
+  for (int k = 0; k < dim; ++k) columns.push_back({std::string("load_") + "xyz"[k], "N"});
+  return columns;
+}
+
+template <int dim>
+std::vector<double> SprungModel<dim>::values() const {
+  return {total_load_.begin(), total_load_.end()};
+}
+
+template <int dim>
+std::string SprungModel<dim>::save() const {
+  StateWriter state;
+  for (const auto& body : bodies_) body.save(state);
+  state.put(total_load_);
+  return state.take();
+}
+
+template <int dim>
+void SprungModel<dim>::restore(const std::string& text) {
+  StateReader state(text);
+  for (auto& body : bodies_) body.restore(state);
+  state.get(total_load_);
+  state.finish();
+}
+
+template <int dim>
+Snapshot SprungModel<dim>::frame() const {
+  Array position{.name = "solid_position", .unit = "m", .components = dim, .values = {}};
+  Array velocity{.name = "solid_velocity", .unit = "m/s", .components = dim, .values = {}};
+  std::vector<Field> displacements, velocities;
+  for (const auto& body : bodies_) {
+    displacements.push_back(body.displacement());
+    velocities.push_back(body.velocity());
+  }
+  for (const Site& site : sites_) {
+    const Vec<dim> x = site.position + displacements[site.body] * site.coefficients;
+    const Vec<dim> v = velocities[site.body] * site.coefficients;
+    for (int k = 0; k < dim; ++k) {
+      position.values.push_back(static_cast<float>(x[k]));
+      velocity.values.push_back(static_cast<float>(v[k]));
+    }
+  }
+  return {std::move(position),
+          std::move(velocity),
+          {.name = "solid_von_mises",
+           .unit = "Pa",
+           .components = 1,
+           .values = std::vector<float>(sites_.size())}};
+}
+
+template class SprungModel<2>;
+template class SprungModel<3>;
+
+}  // namespace cosurge::sprung
