@@ -115,6 +115,7 @@ class Walk {
     const EnumDescriptor& type = *field.enum_type();
     const auto* value = node.is_string() ? type.FindValueByName(*node.value<std::string>()) : nullptr;
     if (value == nullptr) return errors_.add(path, "must be one of: " + words(type));
+    if (field.is_repeated()) return into.GetReflection()->AddEnum(&into, &field, value);
     into.GetReflection()->SetEnum(&into, &field, value);
   }
 
@@ -131,7 +132,9 @@ class Walk {
     for (const toml::node& item : *array) {
       const std::string item_path = fmt::format("{}.{}", path, entry++);
       errors_.places[item_path] = place(item, errors_.places[path]);
-      if (!tables) {
+      if (field.cpp_type() == FieldDescriptor::CPPTYPE_ENUM) {
+        choice(item, item_path, field, into);
+      } else if (!tables) {
         if (const auto value = number(item, item_path, field))
           into.GetReflection()->AddDouble(&into, &field, *value);
       } else if (const toml::table* inner = item.as_table()) {

@@ -207,6 +207,9 @@ void check_solid(const v1::Case& c, CaseErrors& errors) {
                fmt::format("missing, the model {} needs it", v1::SolidModel::Word_Name(solid.model())));
   const double spacing = solid.has_spacing() ? solid.spacing() : c.fluid().spacing();
   const double fluid_spacing = c.has_fluid() ? c.fluid().spacing() : spacing;
+  if (solid.material() == v1::Solid::neo_hookean && solid.model() != v1::SolidModel::fem && deformable)
+    errors.add("solid.material", fmt::format("neo_hookean is of the model fem, not of {}",
+                                             v1::SolidModel::Word_Name(solid.model())));
   // Layers, so that water on one side does not see water on the other.
   const double fewest = std::max(3.0, c.has_fluid() ? std::ceil(c.fluid().re_laplacian()) - 1 : 0.0);
   for (int i = 0; i < solid.body_size(); ++i) {
@@ -222,6 +225,14 @@ void check_solid(const v1::Case& c, CaseErrors& errors) {
       const std::string key = fmt::format("solid.body.{}.clamp.{}", i, j);
       if (!check_boxes_ordered({{key, body.clamp(j)}}, errors)) continue;
       if (!overlap(body.box(), body.clamp(j), -whole * spacing)) errors.add(key, "must touch the body's box");
+    }
+    for (int j = 0; j < body.support_size(); ++j) {
+      const std::string key = fmt::format("solid.body.{}.support.{}", i, j);
+      const v1::Box& box = body.support(j).box();
+      if (!overlap(body.box(), box, -whole * spacing)) errors.add(key + ".box", "must touch the body's box");
+      for (const int axis : body.support(j).along())
+        if (axis >= c.dimension())
+          errors.add(key + ".along", fmt::format("no \"{}\" in {} dimensions", "xyz"[axis], c.dimension()));
     }
   }
 }

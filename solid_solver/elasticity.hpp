@@ -5,34 +5,44 @@
 #include <cmath>
 
 #include "common/vec.hpp"
+#include "proto/case.pb.h"
 
 namespace cosurge {
 
-/// Young's modulus and Poisson's ratio; a scene of two dimensions is in plane strain.
+/// Density, Young's modulus, Poisson's ratio, law of large strains, and what a scene of two dimensions leaves
+/// out.
 struct Elasticity {
-  double density;        ///< [kg/m3]
-  double young_modulus;  ///< [Pa]
-  double poisson_ratio;  ///< [-]
+  double density;             ///< [kg/m3]
+  double young_modulus;       ///< [Pa]
+  double poisson_ratio;       ///< [-]
+  bool plane_stress = false;  ///< the direction that the scene lacks is free of stress; otherwise of strain
+  bool neo_hookean = false;   ///< compressible; otherwise St. Venant-Kirchhoff
 
   double mu() const { return young_modulus / (2 * (1 + poisson_ratio)); }
-  double lambda() const {
+
+  /// Lamé's constant of the material in space.
+  double lambda_in_space() const {
     return young_modulus * poisson_ratio / ((1 + poisson_ratio) * (1 - 2 * poisson_ratio));
   }
+
+  /// Lamé's constant of the scene: in plane stress 2 lambda mu / (lambda + 2 mu) = E nu / (1 - nu^2), with
+  /// which St. Venant-Kirchhoff's law in the plane is that in space without stress across, for any strain.
+  double lambda() const {
+    return plane_stress ? young_modulus * poisson_ratio / (1 - poisson_ratio * poisson_ratio)
+                        : lambda_in_space();
+  }
+
   double shear_speed() const { return std::sqrt(mu() / density); }                      ///< c_s [m/s]
   double pressure_speed() const { return std::sqrt((lambda() + 2 * mu()) / density); }  ///< c_p [m/s]
 };
 
-/// Von Mises stress [Pa] of the Cauchy stress J^-1 F S F^T with S = lambda tr(E) I + 2 mu E, E = (F^T F - I)
-/// / 2 (St. Venant-Kirchhoff; docs/method_solid.md, S19). F has ones in the directions that the scene lacks.
 template <int dim>
-double von_mises_stress(const Mat<dim>& deformation_gradient, const Elasticity& material) {
-  Mat<3> F = Mat<3>::Identity();
-  F.template topLeftCorner<dim, dim>() = deformation_gradient;
-  const Mat<3> E = 0.5 * (F.transpose() * F - Mat<3>::Identity());
-  const Mat<3> S = material.lambda() * E.trace() * Mat<3>::Identity() + 2 * material.mu() * E;
-  const Mat<3> stress = F * S * F.transpose() / F.determinant();
-  const Mat<3> deviator = stress - stress.trace() / 3 * Mat<3>::Identity();
-  return std::sqrt(1.5) * deviator.norm();
+Elasticity elasticity_of(const v1::Solid& solid) {
+  return {.density = solid.density(),
+          .young_modulus = solid.young_modulus(),
+          .poisson_ratio = solid.poisson_ratio(),
+          .plane_stress = dim == 2 && solid.plane() == v1::Solid::plane_stress,
+          .neo_hookean = solid.material() == v1::Solid::neo_hookean};
 }
 
 }  // namespace cosurge

@@ -3,8 +3,9 @@
 #include "common/error.hpp"
 #include "common/vec.hpp"
 #include "solid_solver/models/fem/fem_model.hpp"
+#include "solid_solver/models/hamiltonian/hamiltonian_body.hpp"
 #include "solid_solver/models/modal/modal_model.hpp"
-#include "solid_solver/models/mps/mps_model.hpp"
+#include "solid_solver/models/mps/mps_body.hpp"
 #include "solid_solver/models/rigid/rigid_model.hpp"
 #include "solid_solver/models/sprung/sprung_model.hpp"
 
@@ -40,7 +41,9 @@ std::unique_ptr<SolidModel> make_deformable(const v1::Case& the_case) {
   const Vec<2> gravity = gravity_of<2>(the_case);
   switch (solid.model()) {
     case v1::SolidModel::mps:
-      return std::make_unique<mps::MpsModel<2>>(solid, spacing, gravity);
+      return mps::make_mps(solid, spacing, gravity);
+    case v1::SolidModel::hamiltonian:
+      return hamiltonian::make_hamiltonian<2>(solid, spacing, gravity);
     case v1::SolidModel::fem:
       return std::make_unique<fem::FemModel<2>>(solid, spacing, gravity);
     case v1::SolidModel::modal:

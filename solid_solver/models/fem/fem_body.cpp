@@ -5,16 +5,6 @@
 #include <limits>
 
 namespace cosurge::fem {
-namespace {
-
-/// E = (F^T F - I) / 2 from H = F - I, without the cancellation of small strains.
-template <int dim>
-Mat<dim> green_strain(const Mat<dim>& H) {
-  return 0.5 * (H + H.transpose() + H.transpose() * H);
-}
-
-}  // namespace
-
 template <int dim>
 FemBody<dim>::FemBody(const v1::Body& body, int index, double longest, const Elasticity& material,
                       const Vec<dim>& gravity)
@@ -33,7 +23,7 @@ template <int dim>
 void FemBody<dim>::number_unknowns() {
   unknown_.assign(static_cast<std::size_t>(mesh_.nodes() * dim), -1);
   for (Eigen::Index c = 0; c < mesh_.nodes() * dim; ++c) {
-    if (mesh_.held(c / dim)) continue;
+    if (mesh_.held(c / dim)[static_cast<std::size_t>(c % dim)]) continue;
     unknown_[static_cast<std::size_t>(c)] = unknowns();
     component_.push_back(c);
   }
@@ -106,11 +96,6 @@ typename FemBody<dim>::Nodal FemBody<dim>::gather(const Vector& u, Eigen::Index 
 }
 
 template <int dim>
-Mat<dim> FemBody<dim>::second_piola(const Mat<dim>& strain) const {
-  return material_.lambda() * strain.trace() * Mat<dim>::Identity() + 2 * material_.mu() * strain;
-}
-
-template <int dim>
 typename FemBody<dim>::InternalForce FemBody<dim>::internal_force(const Vector& u) const {
   InternalForce result{
       .force = Vector::Zero(unknowns()), .gross = 0, .least_volume = std::numeric_limits<double>::infinity()};
@@ -119,7 +104,7 @@ typename FemBody<dim>::InternalForce FemBody<dim>::internal_force(const Vector& 
     Nodal force = Nodal::Zero();
     for (const Quadrature& q : quadrature_) {
       const Mat<dim> H = moved * q.gradients, F = Mat<dim>::Identity() + H;
-      force += q.volume * (F * second_piola(green_strain<dim>(H))) * q.gradients.transpose();
+      force += q.volume * (F * respond<dim>(H, material_).S) * q.gradients.transpose();
       result.least_volume = std::min(result.least_volume, F.determinant());
     }
     result.gross = std::max(result.gross, force.cwiseAbs().maxCoeff());
@@ -135,19 +120,20 @@ typename FemBody<dim>::InternalForce FemBody<dim>::internal_force(const Vector& 
 
 template <int dim>
 typename FemBody<dim>::Stiffness FemBody<dim>::element_tangent(const Nodal& u) const {
-  const double lambda = material_.lambda(), mu = material_.mu();
   Stiffness part = Stiffness::Zero();
   for (const Quadrature& q : quadrature_) {
     const Mat<dim> H = u * q.gradients, F = Mat<dim>::Identity() + H;
-    const Mat<dim> S = q.volume * second_piola(green_strain<dim>(H));
-    const Mat<dim> B = q.volume * mu * F * F.transpose();
-    const Nodal turned = F * q.gradients.transpose();  // F g_a
-    const typename Element::Gradients pulled = q.gradients * S;
+    const Response<dim> material = respond<dim>(H, material_);
+    const double a_volume = q.volume * material.a, b_volume = q.volume * material.b;
+    const Mat<dim> FB = F * material.B, FBF = b_volume * FB * F.transpose();
+    const Nodal turned = FB * q.gradients.transpose();  // F B g_a
+    const typename Element::Gradients raised = q.gradients * material.B,
+                                      pulled = q.volume * q.gradients * material.S;
     for (int b = 0; b < Element::nodes; ++b) {
       for (int a = b; a < Element::nodes; ++a) {
-        Mat<dim> block = (q.volume * lambda) * turned.col(a) * turned.col(b).transpose() +
-                         (q.volume * mu) * turned.col(b) * turned.col(a).transpose() +
-                         q.gradients.row(a).dot(q.gradients.row(b)) * B;
+        Mat<dim> block = a_volume * turned.col(a) * turned.col(b).transpose() +
+                         b_volume * turned.col(b) * turned.col(a).transpose() +
+                         raised.row(a).dot(q.gradients.row(b)) * FBF;
         block.diagonal().array() += pulled.row(a).dot(q.gradients.row(b));
         part.template block<dim, dim>(a * dim, b * dim) += block;
       }
@@ -170,10 +156,8 @@ double FemBody<dim>::elastic_energy(const Vector& u) const {
   double energy = 0;
   for (Eigen::Index e = 0; e < mesh_.elements(); ++e) {
     const Nodal moved = gather(u, e);
-    for (const Quadrature& q : quadrature_) {
-      const Mat<dim> E = green_strain<dim>(moved * q.gradients);
-      energy += 0.5 * q.volume * E.cwiseProduct(second_piola(E)).sum();
-    }
+    for (const Quadrature& q : quadrature_)
+      energy += q.volume * respond<dim>(moved * q.gradients, material_).energy;
   }
   return energy;
 }

@@ -4,7 +4,7 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
-#include "solid_solver/elasticity.hpp"
+#include "solid_solver/hyperelasticity.hpp"
 #include "solid_solver/models/fem/mesh.hpp"
 #include "solid_solver/solid_model.hpp"
 
@@ -13,9 +13,8 @@ namespace cosurge::fem {
 using Vector = Eigen::VectorXd;
 using Matrix = Eigen::SparseMatrix<double>;  ///< the lower triangle of a symmetric one
 
-/// Total Lagrangian finite elements of second order, St. Venant-Kirchhoff material, in plane strain where the
-/// scene has two dimensions (docs/method_solid.md, S20 to S23). Vectors go over the unknowns: the components
-/// of the free nodes' displacement, node after node.
+/// Total Lagrangian finite elements of second order (docs/method_solid.md, S20 to S23). Vectors go over the
+/// unknowns: the components of the free nodes' displacement, node after node.
 template <int dim>
 class FemBody {
  public:
@@ -71,7 +70,6 @@ class FemBody {
   void make_pattern();
   void integrate_mass(const Vec<dim>& gravity);
   Nodal gather(const Vector& u, Eigen::Index element) const;
-  Mat<dim> second_piola(const Mat<dim>& strain) const;  // S = lambda tr(E) I + 2 mu E
   Stiffness element_tangent(const Nodal& u) const;
   void scatter(const Stiffness& part, Eigen::Index element, Matrix& whole) const;
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/error.hpp"
+#include "solid_solver/damping.hpp"
 
 namespace cosurge::fem {
 namespace {
@@ -15,8 +16,9 @@ constexpr double whole = 1e-6;  // of a sub-step: a window of 20.0000001 sub-ste
 template <int dim>
 FemModel<dim>::FemModel(const v1::Solid& solid, double spacing, const Vec<dim>& gravity)
     : bodies_(solid, spacing, gravity), substep_(solid.fem().substep()) {
+  const std::vector<double> damping = damping_rates<dim>(solid);
   for (const FemBody<dim>& body : bodies_.bodies()) {
-    motions_.emplace_back(body, solid.fem().rho_infinity());
+    motions_.emplace_back(body, solid.fem().rho_infinity(), damping[motions_.size()]);
     ramp_increment_.push_back(Vector::Zero(body.unknowns()));
   }
 }

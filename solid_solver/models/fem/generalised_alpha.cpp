@@ -17,9 +17,10 @@ double largest(const Vector& x) { return x.size() == 0 ? 0 : x.template lpNorm<E
 }  // namespace
 
 template <int dim>
-GeneralisedAlpha<dim>::GeneralisedAlpha(const FemBody<dim>& body, double rho_infinity)
+GeneralisedAlpha<dim>::GeneralisedAlpha(const FemBody<dim>& body, double rho_infinity, double damping_rate)
     : body_(body),
       constants_(rho_infinity),
+      damping_rate_(damping_rate),
       u_(Vector::Zero(body.unknowns())),
       v_(Vector::Zero(body.unknowns())),
       a_(Vector::Zero(body.unknowns())),
@@ -32,7 +33,7 @@ void GeneralisedAlpha<dim>::start(const Vector& load) {
   if (started_) return;
   solver_.factorize(body_.mass());
   tangent_dt_ = 0;
-  a_ = solver_.solve(load + body_.weight() - body_.internal_force(u_).force);
+  a_ = solver_.solve(load + body_.weight() - body_.internal_force(u_).force) - damping_rate_ * v_;
   started_ = true;
 }
 
@@ -70,7 +71,8 @@ NewtonReport GeneralisedAlpha<dim>::balance(const Vector& external, double dt, T
   while (true) {
     const Vector u = (1 - alpha_f) * (start + beta * dt * dt * a) + alpha_f * u_;
     const auto internal = body_.internal_force(u);
-    const Vector inertia = body_.momentum((1 - alpha_m) * a + alpha_m * a_);
+    const Vector v = v_ + (1 - alpha_f) * dt * ((1 - gamma) * a_ + gamma * a);
+    const Vector inertia = body_.momentum((1 - alpha_m) * a + alpha_m * a_ + damping_rate_ * v);
     const Vector residual = external - internal.force - inertia;
     const double gross = std::max({internal.gross, largest(external), largest(inertia)});
     report.residual = gross > 0 ? largest(residual) / gross : 0;
@@ -91,7 +93,8 @@ template <int dim>
 bool GeneralisedAlpha<dim>::factorize(const Vector& u, double dt) {
   const auto& [alpha_m, alpha_f, beta, gamma] = constants_;
   Matrix system = body_.tangent(u);
-  system.coeffs() = (1 - alpha_f) * beta * dt * dt * system.coeffs() + (1 - alpha_m) * body_.mass().coeffs();
+  const double inertia = 1 - alpha_m + (1 - alpha_f) * gamma * dt * damping_rate_;
+  system.coeffs() = (1 - alpha_f) * beta * dt * dt * system.coeffs() + inertia * body_.mass().coeffs();
   solver_.factorize(system);
   tangent_at_ = u;
   tangent_dt_ = solver_.info() == Eigen::Success ? dt : 0;

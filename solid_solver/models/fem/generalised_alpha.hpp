@@ -33,7 +33,8 @@ struct [[nodiscard]] NewtonReport {
 template <int dim>
 class GeneralisedAlpha {
  public:
-  GeneralisedAlpha(const FemBody<dim>& body, double rho_infinity);
+  /// @param damping_rate of all velocities [1/s]: a force -rate M v
+  GeneralisedAlpha(const FemBody<dim>& body, double rho_infinity, double damping_rate);
 
   /// Where in a step, as a fraction of it, the load is taken.
   double load_instant() const { return 1 - constants_.alpha_f; }
@@ -64,6 +65,7 @@ class GeneralisedAlpha {
 
   const FemBody<dim>& body_;
   AlphaConstants constants_;
+  double damping_rate_;
   Eigen::SimplicialLDLT<Matrix> solver_;
   Vector u_, v_, a_;
   Vector tangent_at_;      // the displacement and the step of the factors

@@ -46,22 +46,32 @@ void Mesh<dim>::number_elements() {
 
 template <int dim>
 void Mesh<dim>::hold(const v1::Body& body, int index) {
-  const Vec<dim> margin = Vec<dim>::Constant(rounding * side_.minCoeff());
-  held_.assign(static_cast<std::size_t>(nodes()), 0);
+  const double margin = rounding * side_.minCoeff();
+  const Supports<dim> supports(body, margin);
+  std::vector<Vec<dim>> points;
+  for (Eigen::Index n = 0; n < nodes(); ++n) {
+    points.emplace_back(position_.col(n));
+    held_.push_back(supports.held(points.back()));
+  }
+  supports.require_points(points, index, "node");
   for (const v1::Box& clamp : body.clamp()) {
     const Box<dim> box(clamp);
-    clamps_.emplace_back(box.min - margin, box.max + margin);
+    const Vec<dim> widen = Vec<dim>::Constant(margin);
+    clamps_.emplace_back(box.min - widen, box.max + widen);
     bool any = false;
-    for (Eigen::Index n = 0; n < nodes(); ++n) {
-      if (!clamps_.back().contains(position_.col(n))) continue;
-      held_[static_cast<std::size_t>(n)] = 1;
+    for (std::size_t n = 0; n < points.size(); ++n) {
+      if (!clamps_.back().contains(points[n])) continue;
+      held_[n].fill(true);
       any = true;
     }
     require(any, "solid.body.{}.clamp.{}: no node of the mesh lies in it; make solid.fem.element <= {:.3g} m",
             index, clamps_.size() - 1, side_.minCoeff() / 2);
   }
-  require(std::find(held_.begin(), held_.end(), 0) != held_.end(),
-          "solid.body.{}: its clamps hold all of it; choose solid.model = \"rigid\"", index);
+  const auto free = [](const Axes<dim>& held) {
+    return std::find(held.begin(), held.end(), false) != held.end();
+  };
+  require(std::any_of(held_.begin(), held_.end(), free),
+          "solid.body.{}: it is held all over; choose solid.model = \"rigid\"", index);
 }
 
 template <int dim>

@@ -6,6 +6,7 @@
 #include "common/lattice.hpp"
 #include "common/participant.hpp"
 #include "solid_solver/models/fem/quadratic_element.hpp"
+#include "solid_solver/supports.hpp"
 
 namespace cosurge::fem {
 
@@ -23,7 +24,7 @@ class Mesh {
   };
 
   /// @param longest side of an element [m]; 0 for half of the box's shortest side
-  /// @throws Error for a clamp that holds no node, and for more elements than memory holds.
+  /// @throws Error for a clamp or support that holds no node, and for more elements than memory holds.
   Mesh(const v1::Body& body, int index, double longest);
 
   Eigen::Index nodes() const { return position_.cols(); }
@@ -31,7 +32,7 @@ class Mesh {
   const Vec<dim>& side() const { return side_; }       ///< of an element [m]
   const Field& position() const { return position_; }  ///< of the nodes [m]
   const Box<dim>& box() const { return box_; }         ///< of the body
-  bool held(Eigen::Index node) const { return held_[static_cast<std::size_t>(node)] != 0; }
+  const Axes<dim>& held(Eigen::Index node) const { return held_[static_cast<std::size_t>(node)]; }
 
   Eigen::Index node(Eigen::Index element, int a) const {
     return corner_[static_cast<std::size_t>(element)] + offset_[static_cast<std::size_t>(a)];
@@ -57,7 +58,7 @@ class Mesh {
   Index counts_;                  // of elements along each axis
   Vec<dim> side_;
   Field position_;
-  std::vector<char> held_;
+  std::vector<Axes<dim>> held_;
   std::vector<Eigen::Index> corner_;                      // node 0 of each element
   std::array<Eigen::Index, Element::nodes> offset_ = {};  // from there to node a
 };

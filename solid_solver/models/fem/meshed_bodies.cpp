@@ -14,10 +14,7 @@ constexpr double rounding = 1e-6;  // of a spacing
 
 template <int dim>
 MeshedBodies<dim>::MeshedBodies(const v1::Solid& solid, double spacing, const Vec<dim>& gravity)
-    : material_{.density = solid.density(),
-                .young_modulus = solid.young_modulus(),
-                .poisson_ratio = solid.poisson_ratio()},
-      spacing_(spacing) {
+    : material_(elasticity_of<dim>(solid)), spacing_(spacing) {
   first_.push_back(0);
   for (int b = 0; b < solid.body_size(); ++b) {
     bodies_.emplace_back(solid.body(b), b, solid.fem().element(), material_, gravity);

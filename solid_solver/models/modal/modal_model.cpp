@@ -2,12 +2,13 @@
 
 #include "common/error.hpp"
 #include "common/state_bytes.hpp"
+#include "solid_solver/damping.hpp"
 
 namespace cosurge::modal {
 
 template <int dim>
 ModalModel<dim>::ModalModel(const v1::Solid& solid, double spacing, const Vec<dim>& gravity)
-    : bodies_(solid, spacing, gravity) {
+    : bodies_(solid, spacing, gravity), damping_(damping_rates<dim>(solid)) {
   for (const fem::FemBody<dim>& body : bodies_.bodies()) {
     modes_.push_back(lowest_modes(body, bodies_.material(), solid.modal().modes()));
     weight_.emplace_back(modes_.back().shapes.transpose() * body.weight());
@@ -19,8 +20,9 @@ template <int dim>
 void ModalModel<dim>::prepare_steps(double h) {
   if (h == steps_size_) return;
   steps_.clear();
-  for (const Modes& modes : modes_)
-    for (const double omega_squared : modes.omega_squared) steps_.emplace_back(omega_squared, 0.0, h);
+  for (std::size_t b = 0; b < modes_.size(); ++b)
+    for (const double omega_squared : modes_[b].omega_squared)
+      steps_.emplace_back(omega_squared, damping_[b], h);
   steps_size_ = h;
 }
 

@@ -7,8 +7,9 @@
 
 namespace cosurge::modal {
 
-/// u = sum phi_i eta_i about the undeformed bodies, each mode advanced exactly over the window, without
-/// damping. For small deflection only: rotation and strain are reported, so that a user sees where that ends.
+/// u = sum phi_i eta_i about the undeformed bodies, each mode advanced exactly over the window, with
+/// `solid.damping_ratio`. For small deflection only: rotation and strain are reported, so that a user sees
+/// where that ends.
 template <int dim>
 class ModalModel : public SolidModel {
  public:
@@ -53,6 +54,7 @@ class ModalModel : public SolidModel {
   Vectors motion(double OscillatorState::*part) const;
 
   fem::MeshedBodies<dim> bodies_;
+  std::vector<double> damping_;  // rate of each body [1/s]
   std::vector<Modes> modes_;
   Vectors weight_;                                    // gravity's load on the modes
   std::vector<std::vector<OscillatorState>> states_;  // of each body's modes

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "solid_solver/damping.hpp"
+
 namespace cosurge::mps {
 namespace {
 
@@ -9,23 +11,16 @@ namespace {
 // divide by zero.
 constexpr double not_zero = 1e-200;
 
-Eigen::Map<const Lanes> at(const Eigen::ArrayXd& values, Eigen::Index i) {
-  return Eigen::Map<const Lanes>(values.data() + i);
-}
-
-Eigen::Map<Lanes> at(Eigen::ArrayXd& values, Eigen::Index i) { return Eigen::Map<Lanes>(values.data() + i); }
+using particles::at;
+using particles::Neighbor;
 
 }  // namespace
 
 template <int dim>
-MpsBody<dim>::MpsBody(const v1::Body& body, const Stencil<dim>& stencil, const Elasticity& material,
-                      const Vec<dim>& gravity)
-    : grid_(body, stencil),
-      stencil_(stencil),
-      material_(material),
-      gravity_(gravity),
-      mass_(material.density * std::pow(stencil.spacing, dim)),
-      dilatational_(material.lambda() > 0) {
+MpsBody<dim>::MpsBody(const v1::Body& body, int index, const particles::Stencil<dim>& stencil,
+                      const particles::Substance<dim>& substance)
+    : Base(body, index, stencil, substance), dilatational_(substance.material.lambda() > 0) {
+  const Elasticity& material = substance.material;
   for (const Neighbor<dim>& n : stencil.neighbors) {
     const double d_n0 = dim / stencil.n0;
     Bond bond{.shift = grid_.shift(n.offset),
@@ -38,25 +33,10 @@ MpsBody<dim>::MpsBody(const v1::Body& body, const Stencil<dim>& stencil, const E
     bonds_.push_back(bond);
   }
   const Slots zero = Slots::Zero(grid_.slots());
-  present_ = free_ = dilatation_ = zero;
-  for (auto* field : {&displacement_, &velocity_, &load_, &load_change_, &ramp_increment_}) field->fill(zero);
+  dilatation_ = turns_ = zero;
   spin_.fill(zero);
   for (int k = 0; k < Rot::components; ++k) rotation_[k] = zero + Rot::identity()[k];
-  for (std::size_t p = 0; p < grid_.positions().size(); ++p) {
-    present_[grid_.slot(p)] = 1;
-    free_[grid_.slot(p)] = grid_.held(p) ? 0 : 1;
-  }
-  set_load(Field::Zero(dim, particles()), Field::Zero(dim, particles()));
-}
-
-template <int dim>
-void MpsBody<dim>::set_load(const Eigen::Ref<const Field>& first, const Eigen::Ref<const Field>& last) {
-  for (Eigen::Index p = 0; p < particles(); ++p) {
-    for (int k = 0; k < dim; ++k) {
-      load_[k][grid_.slot(p)] = first(k, p) / mass_ + gravity_[k];
-      load_change_[k][grid_.slot(p)] = (last(k, p) - first(k, p)) / mass_;
-    }
-  }
+  for (std::size_t p = 0; p < grid_.positions().size(); ++p) turns_[grid_.slot(p)] = grid_.held(p) ? 0 : 1;
 }
 
 template <int dim>
@@ -71,13 +51,6 @@ void MpsBody<dim>::advance(int substeps, double dt) {
 }
 
 template <int dim>
-LaneVec<dim> MpsBody<dim>::relative_displacement(Eigen::Index i, Eigen::Index j) const {
-  LaneVec<dim> difference;
-  for (int k = 0; k < dim; ++k) difference[k] = at(displacement_[k], j) - at(displacement_[k], i);
-  return difference;
-}
-
-template <int dim>
 typename MpsBody<dim>::Rot MpsBody<dim>::rotation_at(Eigen::Index i) const {
   if constexpr (dim == 2) return {at(rotation_[0], i), at(rotation_[1], i)};
 }
@@ -88,7 +61,7 @@ void MpsBody<dim>::measure_dilatation() const {
     Lanes sum = Lanes::Zero();
     for (const Bond& bond : bonds_) {
       const Eigen::Index j = i + bond.shift;
-      LaneVec<dim> r = relative_displacement(i, j);
+      LaneVec<dim> r = this->relative_displacement(i, j);
       Lanes square = Lanes::Constant(not_zero);
       for (int k = 0; k < dim; ++k) {
         r[k] += bond.r0[k];
@@ -110,7 +83,7 @@ typename MpsBody<dim>::Acceleration MpsBody<dim>::internal_acceleration(Eigen::I
   for (const Bond& bond : bonds_) {
     const Eigen::Index j = i + bond.shift;
     const LaneVec<dim> unstrained = rotation.mean(rotation_at(j)).apply(bond.r0);
-    LaneVec<dim> r = relative_displacement(i, j), force;
+    LaneVec<dim> r = this->relative_displacement(i, j), force;
     const Lanes present = at(present_, j);
     const Lanes spring = bond.spring * present;
     Lanes square = Lanes::Constant(not_zero);
@@ -135,23 +108,22 @@ typename MpsBody<dim>::Acceleration MpsBody<dim>::internal_acceleration(Eigen::I
 
 template <int dim>
 void MpsBody<dim>::accelerate(double dt, double load_fraction) {
+  const double left = std::exp(-substance_.damping_rate * dt);
   for (Eigen::Index i = grid_.first_slot(); i < grid_.last_slot(); i += grid_.lanes) {
     const Acceleration a = internal_acceleration(i);
-    const Lanes step = dt * at(free_, i);
-    for (int k = 0; k < dim; ++k)
-      at(velocity_[k], i) += step * (a.linear[k] + at(load_[k], i) + load_fraction * at(load_change_[k], i));
-    for (int k = 0; k < Rot::spins; ++k) at(spin_[k], i) += step * a.angular[k];
+    for (int k = 0; k < dim; ++k) {
+      const Lanes load = at(load_[k], i) + load_fraction * at(load_change_[k], i);
+      at(velocity_[k], i) = left * at(velocity_[k], i) + dt * at(free_[k], i) * (a.linear[k] + load);
+    }
+    for (int k = 0; k < Rot::spins; ++k)
+      at(spin_[k], i) = left * at(spin_[k], i) + dt * at(turns_, i) * a.angular[k];
   }
 }
 
 template <int dim>
 void MpsBody<dim>::move(double dt, double load_fraction) {
   for (Eigen::Index i = grid_.first_slot(); i < grid_.last_slot(); i += grid_.lanes) {
-    for (int k = 0; k < dim; ++k) {
-      const Lanes increment = dt * at(velocity_[k], i);
-      at(displacement_[k], i) += increment;
-      at(ramp_increment_[k], i) += load_fraction * increment;
-    }
+    this->drift(i, dt, load_fraction);
     std::array<Lanes, Rot::spins> angle;
     for (int k = 0; k < Rot::spins; ++k) angle[k] = dt * at(spin_[k], i);
     const Rot turned = rotation_at(i).turned(angle);
@@ -163,38 +135,12 @@ void MpsBody<dim>::move(double dt, double load_fraction) {
 template <int dim>
 void MpsBody<dim>::place(std::size_t particle, const Vec<dim>& displacement, double rotation,
                          const Vec<dim>& velocity, double spin) {
+  Base::place(particle, displacement, velocity);
   const Eigen::Index i = grid_.slot(particle);
-  if (grid_.held(particle)) return;
-  for (int k = 0; k < dim; ++k) {
-    displacement_[k][i] = displacement[k];
-    velocity_[k][i] = velocity[k];
-  }
+  if (turns_[i] == 0) return;
   rotation_[0][i] = std::cos(rotation / 2);
   rotation_[1][i] = std::sin(rotation / 2);
   spin_[0][i] = spin;
-}
-
-template <int dim>
-Field MpsBody<dim>::gather(const std::array<Slots, dim>& values) const {
-  Field field(dim, particles());
-  for (Eigen::Index p = 0; p < particles(); ++p)
-    for (int k = 0; k < dim; ++k) field(k, p) = values[k][grid_.slot(p)];
-  return field;
-}
-
-template <int dim>
-Field MpsBody<dim>::displacement() const {
-  return gather(displacement_);
-}
-
-template <int dim>
-Field MpsBody<dim>::velocity() const {
-  return gather(velocity_);
-}
-
-template <int dim>
-Field MpsBody<dim>::ramp_increment() const {
-  return gather(ramp_increment_);
 }
 
 template <int dim>
@@ -206,15 +152,15 @@ Field MpsBody<dim>::acceleration() const {
     const Acceleration a = internal_acceleration(i);
     for (int k = 0; k < dim; ++k) at(values[k], i) = a.linear[k];
   }
-  return gather(values);
+  return this->gather(values);
 }
 
 template <int dim>
 double MpsBody<dim>::angular_momentum() const {
-  const Field q = displacement(), v = velocity();
+  const Field q = this->displacement(), v = this->velocity();
   const double inertia = mass_ * stencil_.spacing * stencil_.spacing / 6;
   double sum = 0;
-  for (Eigen::Index p = 0; p < particles(); ++p) {
+  for (Eigen::Index p = 0; p < this->particles(); ++p) {
     const Vec<dim> x = grid_.positions()[p] + q.col(p);
     sum += mass_ * (x[0] * v(1, p) - x[1] * v(0, p)) + inertia * spin_[0][grid_.slot(p)];
   }
@@ -228,56 +174,55 @@ Energies MpsBody<dim>::energies(double dt) const {
   if (dilatational_) measure_dilatation();
   for (Eigen::Index i = grid_.first_slot(); i < grid_.last_slot(); i += grid_.lanes) {
     const Acceleration a = internal_acceleration(i);
-    const Lanes half_step = 0.5 * dt * at(free_, i);
     for (int k = 0; k < dim; ++k) {
+      const Lanes half_step = 0.5 * dt * at(free_[k], i);
       const Lanes load = at(load_[k], i) + at(load_change_[k], i);
       const Lanes v = at(velocity_[k], i) + half_step * (a.linear[k] + load);
       kinetic += 0.5 * v * v;
-      gravity -= gravity_[k] * at(displacement_[k], i);
+      gravity -= substance_.gravity[k] * at(displacement_[k], i);
     }
     for (int k = 0; k < Rot::spins; ++k) {
-      const Lanes spin = at(spin_[k], i) + half_step * a.angular[k];
+      const Lanes spin = at(spin_[k], i) + 0.5 * dt * at(turns_, i) * a.angular[k];
       kinetic += 0.5 * inertia * spin * spin;
     }
     // A pair's energy spring |u|^2 / 2 is halved between its two particles.
-    elastic += at(present_, i) * (0.25 * a.spring_energy +
-                                  0.5 * material_.lambda() / material_.density * at(dilatation_, i).square());
+    elastic += at(present_, i) *
+               (0.25 * a.spring_energy + 0.5 * substance_.material.lambda() / substance_.material.density *
+                                             at(dilatation_, i).square());
   }
   return {
       .kinetic = mass_ * kinetic.sum(), .elastic = mass_ * elastic.sum(), .gravity = mass_ * gravity.sum()};
 }
 
 template <int dim>
-Mat<dim> MpsBody<dim>::deformation_gradient(std::size_t particle) const {
-  const Eigen::Index i = grid_.slot(particle);
-  Mat<dim> gradient = Mat<dim>::Zero(), shape = Mat<dim>::Zero();
-  for (const Neighbor<dim>& n : stencil_.neighbors) {
-    const Eigen::Index j = i + grid_.shift(n.offset);
-    const double w = n.w * present_[j];
-    Vec<dim> r = n.r0;
-    for (int k = 0; k < dim; ++k) r[k] += displacement_[k][j] - displacement_[k][i];
-    gradient += w * r * n.r0.transpose();
-    shape += w * n.r0 * n.r0.transpose();
-  }
-  const Eigen::FullPivLU<Mat<dim>> factors(shape);
-  if (!factors.isInvertible()) return Mat<dim>::Identity();
-  return gradient * factors.inverse();
-}
-
-template <int dim>
 void MpsBody<dim>::save(StateWriter& state) const {
-  for (const auto* field : {&displacement_, &velocity_, &load_, &load_change_, &ramp_increment_})
-    for (const Slots& values : *field) state.put(values);
+  Base::save(state);
   for (const Slots& values : rotation_) state.put(values);
   for (const Slots& values : spin_) state.put(values);
 }
 
 template <int dim>
 void MpsBody<dim>::restore(StateReader& state) {
-  for (auto* field : {&displacement_, &velocity_, &load_, &load_change_, &ramp_increment_})
-    for (Slots& values : *field) state.get(values);
+  Base::restore(state);
   for (Slots& values : rotation_) state.get(values);
   for (Slots& values : spin_) state.get(values);
+}
+
+std::unique_ptr<SolidModel> make_mps(const v1::Solid& solid, double spacing, const Vec<2>& gravity) {
+  const particles::Stencil<2> stencil = particles::full_stencil<2>(spacing, solid.mps().re());
+  const Elasticity material = elasticity_of<2>(solid);
+  const std::vector<double> damping = damping_rates<2>(solid);
+  particles::ParticleModel<2>::Bodies bodies;
+  for (int b = 0; b < solid.body_size(); ++b)
+    bodies.push_back(std::make_unique<MpsBody<2>>(
+        solid.body(b), b, stencil,
+        particles::Substance<2>{.material = material, .gravity = gravity, .damping_rate = damping[b]}));
+  return std::make_unique<particles::ParticleModel<2>>(
+      std::move(bodies), material, spacing,
+      particles::ParticleModel<2>::Steps{.key = "solid.mps",
+                                         .stable = 2 / particles::highest_frequency(stencil, material),
+                                         .fraction = solid.mps().step_fraction(),
+                                         .fixed = solid.mps().substep()});
 }
 
 template class MpsBody<2>;

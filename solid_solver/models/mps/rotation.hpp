@@ -1,17 +1,12 @@
 // Rotations of particles, several at a time.
 #pragma once
 
-#include <Eigen/Core>
-#include <array>
+#include "solid_solver/models/particles/lanes.hpp"
 
 namespace cosurge::mps {
 
-/// The same number of several particles; arithmetic goes element by element in the machine's vector
-/// registers.
-using Lanes = Eigen::Array<double, 8, 1>;
-
-template <int dim>
-using LaneVec = std::array<Lanes, dim>;
+using particles::Lanes;
+using particles::LaneVec;
 
 /// A rotation by its half angle: in the plane the unit complex number (cos(theta / 2), sin(theta / 2)). A
 /// third dimension would make it a quaternion, with the same members.

@@ -1,16 +1,16 @@
-#include "solid_solver/models/mps/body_grid.hpp"
+#include "solid_solver/models/particles/body_grid.hpp"
 
 #include <gtest/gtest.h>
 
 #include "tests/support/solid_cases.hpp"
 
-namespace cosurge::mps {
+namespace cosurge::particles {
 namespace {
 
 using test::l0;
 
 BodyGrid<2> clamped_plate() {
-  return {test::plate({.columns = 12, .rows = 80}).solid().body(0), full_stencil<2>(l0, 2.1)};
+  return {test::plate({.columns = 12, .rows = 80}).solid().body(0), 0, full_stencil<2>(l0, 2.1)};
 }
 
 TEST(BodyGrid, KeepsOfAClampOnlyWhatFreeParticlesFeel) {
@@ -50,4 +50,4 @@ TEST(BodyGrid, FindsParticlesByTheirPlace) {
 }
 
 }  // namespace
-}  // namespace cosurge::mps
+}  // namespace cosurge::particles

@@ -126,36 +126,6 @@ TEST(FemModel, WithoutDampingItsEnergyStays) {
   EXPECT_LT(wide.highest - wide.lowest, 1e-4);
 }
 
-TEST(GeneralisedAlpha, AFreeBodyKeepsItsMomenta) {
-  const v1::Case c = test::plate({.columns = 4, .rows = 20, .clamped = false});
-  const Elasticity rubber{.density = 2500, .young_modulus = 1e5, .poisson_ratio = 0.3};
-  const FemBody<2> body(c.solid().body(0), 0, 0, rubber, Vec<2>::Zero());
-  const Field X = body.mesh().position();
-  Field v(2, X.cols());
-  // Turns, drifts, and is torn apart lengthwise.
-  for (Eigen::Index n = 0; n < X.cols(); ++n)
-    v.col(n) << 0.2 - 60 * X(1, n), 0.1 + 60 * X(0, n) + 30 * X(1, n);
-  GeneralisedAlpha<2> motion(body, 1);
-  const Vector none = Vector::Zero(body.unknowns());
-  motion.place(none, body.from_nodes(v));
-  motion.start(none);
-  const auto momenta = [&] {
-    const Field x = X + body.to_nodes(motion.displacement());
-    const Field p = body.to_nodes(body.momentum(motion.velocity()));
-    return Vec<3>(p.row(0).sum(), p.row(1).sum(),
-                  (x.row(0).cwiseProduct(p.row(1)) - x.row(1).cwiseProduct(p.row(0))).sum());
-  };
-  const Vec<3> before = momenta();
-  double strain = 0;
-  for (int k = 0; k < 200; ++k) {
-    ASSERT_TRUE(motion.step(none, 2e-4).converged);
-    strain = std::max(strain, body.deformation(motion.displacement()).strain);
-  }
-  EXPECT_GT(strain, 0.5);
-  // The mid-point rule keeps both exactly; the balance holds to 1e-10 of the largest force, for 200 steps.
-  EXPECT_LT((momenta() - before).cwiseQuotient(before).cwiseAbs().maxCoeff(), 1e-7);
-}
-
 TEST(FemModel, DampingTakesShortOscillationsAndLeavesTheFirst) {
   const Swing damped = swing(1, 0.8, 1e-3, 1);
   // 168 windows a period: the method takes 1e-4 of this mode's energy in a second.

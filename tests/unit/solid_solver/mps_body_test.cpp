@@ -10,6 +10,9 @@
 namespace cosurge::mps {
 namespace {
 
+using particles::full_stencil;
+using particles::highest_frequency;
+using particles::weight;
 using test::l0;
 
 struct Block {
@@ -26,17 +29,14 @@ Elasticity material_of(const Block& block) {
 
 MpsBody<2> make_body(const Block& block) {
   const v1::Case c = test::plate({.columns = block.columns, .rows = block.rows, .clamped = block.clamped});
-  return {c.solid().body(0), full_stencil<2>(l0, 2.1), material_of(block), Vec<2>::Zero()};
+  return {c.solid().body(0),
+          0,
+          full_stencil<2>(l0, 2.1),
+          {.material = material_of(block), .gravity = Vec<2>::Zero()}};
 }
 
 double stable_step(const Block& block) {
   return 2 / highest_frequency(full_stencil<2>(l0, 2.1), material_of(block));
-}
-
-Mat<2> turn(double angle) {
-  Mat<2> R;
-  R << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
-  return R;
 }
 
 Vec<2> turned(const Vec<2>& x, double angle) {
@@ -50,22 +50,6 @@ void deform(MpsBody<2>& body, const Mat<2>& F, double angle) {
     const Vec<2>& X = body.grid().positions()[p];
     body.place(p, F * X - X, angle, Vec<2>::Zero(), 0);
   }
-}
-
-void shake(MpsBody<2>& body, double displacement, double speed) {
-  std::mt19937_64 random(7);
-  std::uniform_real_distribution<double> unit(-1, 1);
-  const auto vec = [&](double scale) {
-    const double x = unit(random), y = unit(random);
-    return Vec<2>(scale * x, scale * y);
-  };
-  for (std::size_t p = 0; p < body.grid().positions().size(); ++p)
-    body.place(p, vec(displacement), unit(random) * displacement / l0, vec(speed), unit(random) * speed / l0);
-}
-
-bool is_interior(const Block& block, const Vec<2>& X, double margin) {
-  return X[0] > margin && X[0] < block.columns * l0 - margin && X[1] > margin &&
-         X[1] < block.rows * l0 - margin;
 }
 
 /// The sums of the method pair by pair, as they stand in the documentation.
@@ -112,33 +96,6 @@ TEST(MpsBody, AccelerationIsThePairSumOfTheMethod) {
             1e-13 * scale);  // rounding of twelve terms
 }
 
-TEST(MpsBody, AffineDeformationLeavesInteriorParticlesInBalance) {
-  for (const double nu : {0.0, 0.3}) {
-    const Block block{.poisson_ratio = nu};
-    MpsBody<2> body = make_body(block);
-    Mat<2> stretch;
-    stretch << 1.1, 0.04, 0.04, 0.93;
-    deform(body, turn(0.5) * stretch, 0.5);
-    const Field a = body.acceleration();
-    const double at_faces = a.cwiseAbs().maxCoeff();
-    for (Eigen::Index p = 0; p < a.cols(); ++p) {
-      if (!is_interior(block, body.grid().positions()[static_cast<std::size_t>(p)], 4 * l0)) continue;
-      EXPECT_LT(a.col(p).norm(),
-                1e-12 * at_faces);  // rounding of positions, 1e-16 of 12 l0, over strains of 0.1
-    }
-  }
-}
-
-TEST(MpsBody, RigidRotationBy90DegreesStoresNoEnergy) {
-  MpsBody<2> body = make_body({});
-  const double quarter = std::numbers::pi / 2;
-  deform(body, turn(quarter), quarter);
-  // Against the energy of a uniform strain of one in the same volume.
-  const double scale = 1e6 * 144 * l0 * l0;
-  EXPECT_LT(body.energies(0).elastic,
-            1e-28 * scale);  // strains are rounding: their square is 1e-32 times a few
-}
-
 TEST(MpsBody, UniformStretchStoresTheContinuumsEnergyInTheInterior) {
   // E = 1/2 (lambda tr^2 + 2 mu strain : strain) per volume; bodies of two sizes differ by the interior alone
   // in the limit, here by what a ring of surface particles leaves out, so compare the second difference of a
@@ -160,19 +117,6 @@ TEST(MpsBody, UniformStretchStoresTheContinuumsEnergyInTheInterior) {
   EXPECT_NEAR(second_difference / (0.5 * (m.lambda() + 2 * m.mu()) * strain * strain * volume), 1, 1e-5);
 }
 
-TEST(MpsBody, MomentaOfAFreeBodyAreConserved) {
-  const Block block{};
-  MpsBody<2> body = make_body(block);
-  shake(body, 0.02 * l0, 0.5);
-  const Vec<2> momentum = body.velocity().rowwise().sum();
-  const double spin = body.angular_momentum();
-  const double scale = body.velocity().colwise().norm().sum();
-  body.advance(2000, 0.7 * stable_step(block));
-  const Vec<2> change = body.velocity().rowwise().sum() - momentum;
-  EXPECT_LT(change.norm(), 1e-12 * scale);  // 2000 steps of rounding
-  EXPECT_LT(std::abs(body.angular_momentum() - spin), 1e-12 * scale * body.particle_mass() * 12 * l0);
-}
-
 TEST(MpsBody, EnergyOfAFreeBodyIsConserved) {
   for (const double nu : {0.0, 0.3}) {
     const Block block{.poisson_ratio = nu};
@@ -189,21 +133,6 @@ TEST(MpsBody, EnergyOfAFreeBodyIsConserved) {
     // The scheme's own invariant differs from the energy by (omega dt)^2 / 8 of each wave: 2 % of the
     // shortest ones, which carry a tenth of the energy at most.
     EXPECT_NEAR((end.kinetic + end.elastic) / (start.kinetic + start.elastic), 1, 2e-3);
-  }
-}
-
-TEST(MpsBody, RunsBelowTheStableStepAndFailsAboveIt) {
-  for (const double nu : {0.0, 0.3, 0.45, 0.49}) {
-    const Block block{.rows = 24, .clamped = true, .poisson_ratio = nu};
-    const double stable = stable_step(block), c_p = material_of(block).pressure_speed();
-    MpsBody<2> below = make_body(block), above = make_body(block);
-    for (MpsBody<2>* body : {&below, &above}) shake(*body, 1e-4 * l0, 1e-4);
-    below.advance(20000, 0.95 * stable);
-    // Let go from 1e-7 m the fastest motion makes 2e-2 m/s; its ellipse is three times as long this near the
-    // limit.
-    EXPECT_LT(below.velocity().cwiseAbs().maxCoeff(), 0.1) << "nu = " << nu;
-    above.advance(2000, 1.3 * stable);
-    EXPECT_FALSE(above.velocity().cwiseAbs().maxCoeff() < c_p) << "nu = " << nu;
   }
 }
 
@@ -252,34 +181,6 @@ TEST(MpsBody, BarWavesTravelAtTheirSpeed) {
   RecordProperty("speed", std::to_string(speed));
   // Dispersion of a wave of 120 spacings, (k l0)^2 / 24 = 1e-4, and what is left of the ends.
   EXPECT_NEAR(speed / material_of({.poisson_ratio = 0}).pressure_speed(), 1, 0.005);
-}
-
-TEST(MpsBody, SavedStateContinuesBitForBit) {
-  const Block block{.clamped = true};
-  MpsBody<2> body = make_body(block);
-  shake(body, 0.01 * l0, 0.1);
-  const double dt = 0.7 * stable_step(block);
-  body.advance(100, dt);
-  StateWriter writer;
-  body.save(writer);
-  const std::string state = writer.take();
-  body.advance(100, dt);
-  MpsBody<2> other = make_body(block);
-  StateReader reader(state);
-  other.restore(reader);
-  reader.finish();
-  other.advance(100, dt);
-  EXPECT_TRUE((body.displacement().array() == other.displacement().array()).all());
-  EXPECT_TRUE((body.velocity().array() == other.velocity().array()).all());
-}
-
-TEST(MpsBody, DeformationGradientOfAnAffineMotionIsExact) {
-  MpsBody<2> body = make_body({});
-  Mat<2> F;
-  F << 1.2, 0.3, -0.1, 0.9;
-  deform(body, F, 0);
-  for (std::size_t p = 0; p < body.grid().positions().size(); ++p)
-    EXPECT_LT((body.deformation_gradient(p) - F).norm(), 1e-13);  // rounding of positions of 12 l0
 }
 
 }  // namespace

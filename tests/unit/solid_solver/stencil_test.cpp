@@ -1,10 +1,10 @@
-#include "solid_solver/models/mps/stencil.hpp"
+#include "solid_solver/models/particles/stencil.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace cosurge::mps {
+namespace cosurge::particles {
 namespace {
 
 TEST(Stencil, ReferenceDensityIsTheHandSum) {
@@ -50,4 +50,4 @@ TEST(HighestFrequency, IsThatOfPressureWavesForNearlyIncompressibleMaterials) {
 }
 
 }  // namespace
-}  // namespace cosurge::mps
+}  // namespace cosurge::particles

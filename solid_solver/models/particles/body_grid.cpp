@@ -1,10 +1,10 @@
-#include "solid_solver/models/mps/body_grid.hpp"
+#include "solid_solver/models/particles/body_grid.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
-namespace cosurge::mps {
+namespace cosurge::particles {
 namespace {
 
 constexpr double coincide = 1e-6;  // of a spacing: two sites that rounding parted are one
@@ -32,20 +32,37 @@ bool feels_free_particle(const SiteIndex<dim>& k, const Sites<dim>& sites, const
 }  // namespace
 
 template <int dim>
-BodyGrid<dim>::BodyGrid(const v1::Body& body, const Stencil<dim>& stencil)
+BodyGrid<dim>::BodyGrid(const v1::Body& body, int index, const Stencil<dim>& stencil)
     : spacing_(stencil.spacing), box_(body.box()), clamps_(body.clamp().begin(), body.clamp().end()) {
   Sites<dim> sites;
   for (const Vec<dim>& x : fill(box_, spacing_)) sites[index_of(x)] = false;
   for (const Box<dim>& clamp : clamps_)
     for (const Vec<dim>& x : fill(clamp, spacing_)) sites[index_of(x)] = true;
+  const Supports<dim> supports(body, coincide * spacing_);
   std::vector<SiteIndex<dim>> kept;
   for (const auto& [k, held] : sites) {
     if (held && !feels_free_particle(k, sites, stencil)) continue;
     kept.push_back(k);
     positions_.push_back(site<dim>(k, spacing_));
     held_.push_back(held);
+    held_axes_.push_back(supports.held(positions_.back()));
+    if (held) held_axes_.back().fill(true);
   }
-  if (!kept.empty()) number_slots(kept, stencil.reach);
+  check(index);
+  supports.require_points(positions_, index, "particle");
+  number_slots(kept, stencil.reach);
+}
+
+template <int dim>
+void BodyGrid<dim>::check(int index) const {
+  const double thickness = (box_.max - box_.min).minCoeff() / spacing_;
+  require(thickness > 1.5, "solid.body.{}.box: {:.3g} spacings thick, particles need at least 2", index,
+          thickness);
+  const auto any_free = [](const Axes<dim>& axes) {
+    return std::find(axes.begin(), axes.end(), false) != axes.end();
+  };
+  require(std::any_of(held_axes_.begin(), held_axes_.end(), any_free),
+          "solid.body.{}: it is held all over; choose solid.model = \"rigid\"", index);
 }
 
 template <int dim>
@@ -117,5 +134,6 @@ bool BodyGrid<dim>::in_box(const Vec<dim>& x) const {
 }
 
 template class BodyGrid<2>;
+template class BodyGrid<3>;
 
-}  // namespace cosurge::mps
+}  // namespace cosurge::particles

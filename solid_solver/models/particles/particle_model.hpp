@@ -1,22 +1,32 @@
-// The model `mps`: bodies of explicit MPS particles.
+// A model of explicit particles, whatever pulls them.
 #pragma once
 
-#include "solid_solver/models/mps/mps_body.hpp"
+#include <memory>
+
+#include "solid_solver/models/particles/particle_body.hpp"
 #include "solid_solver/solid_model.hpp"
 
-namespace cosurge::mps {
+namespace cosurge::particles {
 
 /// Nodes are the particles, held ones included, body after body.
 template <int dim>
-class MpsModel : public SolidModel {
+class ParticleModel : public SolidModel {
  public:
-  /// @param spacing l0 [m]
-  /// @throws Error for a body without free particles or thinner than two, and for a sub-step beyond the
-  /// stable one.
-  MpsModel(const v1::Solid& solid, double spacing, const Vec<dim>& gravity);
+  using Bodies = std::vector<std::unique_ptr<ParticleBody<dim>>>;
 
-  /// The longest stable step [s] (docs/method_solid.md, S12).
-  double stable_step() const { return stable_step_; }
+  /// What the case says of sub-steps, and the longest stable one [s].
+  struct Steps {
+    std::string key;   ///< of the case's table: "solid.mps"
+    double stable;     ///< [s]
+    double fraction;   ///< of it
+    double fixed = 0;  ///< instead [s], where not 0
+  };
+
+  /// @throws Error for a fixed sub-step beyond the stable one.
+  ParticleModel(Bodies bodies, const Elasticity& material, double spacing, const Steps& steps);
+
+  /// The longest stable step [s].
+  double stable_step() const { return steps_.stable; }
 
   Eigen::Index nodes() const override { return first_.back(); }
   std::uint64_t particles() const override { return static_cast<std::uint64_t>(nodes()); }
@@ -37,13 +47,13 @@ class MpsModel : public SolidModel {
   Row interpolation_row(const BodyGrid<dim>& grid, const Vec<dim>& x) const;
   void check_motion(const Window& window) const;
 
+  Bodies bodies_;
   Elasticity material_;
   double spacing_;
-  double stable_step_;
+  Steps steps_;
   double substep_;
   double last_dt_ = 0;
-  std::vector<MpsBody<dim>> bodies_;
   std::vector<Eigen::Index> first_;  // node of each body, and their number
 };
 
-}  // namespace cosurge::mps
+}  // namespace cosurge::particles

@@ -1,10 +1,10 @@
-#include "solid_solver/models/mps/stencil.hpp"
+#include "solid_solver/models/particles/stencil.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace cosurge::mps {
+namespace cosurge::particles {
 namespace {
 
 constexpr double on_the_edge = 1e-9;  // of a spacing: rounding must not decide whether a site lies at r_e
@@ -73,6 +73,7 @@ double highest_frequency(const Stencil<dim>& stencil, const Elasticity& material
 }
 
 template Stencil<2> full_stencil<2>(double, double);
+template Stencil<3> full_stencil<3>(double, double);
 template double highest_frequency<2>(const Stencil<2>&, const Elasticity&);
 
-}  // namespace cosurge::mps
+}  // namespace cosurge::particles

@@ -5,22 +5,27 @@
 #include <vector>
 
 #include "common/lattice.hpp"
-#include "solid_solver/models/mps/stencil.hpp"
+#include "solid_solver/models/particles/stencil.hpp"
+#include "solid_solver/supports.hpp"
 
-namespace cosurge::mps {
+namespace cosurge::particles {
 
-/// Particles fill the body's box and are free; in its clamps lie held ones, as far as free ones feel them.
-/// All lie in one padded block of the lattice: slots with no particle are void, and a neighbour's slot is the
-/// particle's own plus a constant, whatever the particle. Particles are numbered in the order of their slots.
+/// Particles fill the body's box and are free, but for its supports; in its clamps lie held ones, as far as
+/// free ones feel them. All lie in one padded block of the lattice: slots with no particle are void, and a
+/// neighbour's slot is the particle's own plus a constant, whatever the particle. Particles are numbered in
+/// the order of their slots.
 template <int dim>
 class BodyGrid {
  public:
-  BodyGrid(const v1::Body& body, const Stencil<dim>& stencil);
+  /// @param index of the body, for messages
+  /// @throws Error for a body without free particles or thinner than two, and for a support without particles
+  BodyGrid(const v1::Body& body, int index, const Stencil<dim>& stencil);
 
   const std::vector<Vec<dim>>& positions() const {
     return positions_;
-  }  ///< of the particles, held ones too [m]
-  bool held(std::size_t particle) const { return held_[particle]; }
+  }                                                                  ///< of the particles, held ones too [m]
+  bool held(std::size_t particle) const { return held_[particle]; }  ///< in a clamp, along all axes
+  const Axes<dim>& held_axes(std::size_t particle) const { return held_axes_[particle]; }
   Eigen::Index slot(std::size_t particle) const { return slots_[particle]; }
 
   Eigen::Index slots() const { return slot_count_; }  ///< length of arrays over slots
@@ -40,6 +45,7 @@ class BodyGrid {
 
  private:
   SiteIndex<dim> index_of(const Vec<dim>& x) const;
+  void check(int index) const;
   void number_slots(const std::vector<SiteIndex<dim>>& sites, int reach);
 
   double spacing_;
@@ -47,6 +53,7 @@ class BodyGrid {
   std::vector<Box<dim>> clamps_;
   std::vector<Vec<dim>> positions_;
   std::vector<char> held_;
+  std::vector<Axes<dim>> held_axes_;
   std::vector<Eigen::Index> slots_;
   std::vector<long> particle_of_slot_;  // -1 where void
   SiteIndex<dim> lower_, upper_;        // corners of the block of sites
@@ -54,4 +61,4 @@ class BodyGrid {
   Eigen::Index first_ = 0, last_ = 0, slot_count_ = 0;
 };
 
-}  // namespace cosurge::mps
+}  // namespace cosurge::particles

@@ -7,7 +7,7 @@
 #include "common/vec.hpp"
 #include "solid_solver/elasticity.hpp"
 
-namespace cosurge::mps {
+namespace cosurge::particles {
 
 template <int dim>
 using SiteIndex = Eigen::Matrix<long, dim, 1>;
@@ -42,4 +42,4 @@ Stencil<dim> full_stencil(double spacing, double re);
 template <int dim>
 double highest_frequency(const Stencil<dim>& stencil, const Elasticity& material);
 
-}  // namespace cosurge::mps
+}  // namespace cosurge::particles

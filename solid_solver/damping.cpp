@@ -1,0 +1,29 @@
+#include "solid_solver/damping.hpp"
+
+#include <cmath>
+
+#include "common/error.hpp"
+#include "solid_solver/models/modal/modes.hpp"
+
+namespace cosurge {
+
+template <int dim>
+std::vector<double> damping_rates(const v1::Solid& solid) {
+  std::vector<double> rates(static_cast<std::size_t>(solid.body_size()), 0.0);
+  if (solid.damping_ratio() == 0) return rates;
+  const Elasticity material = elasticity_of<dim>(solid);
+  for (int b = 0; b < solid.body_size(); ++b) {
+    const fem::FemBody<dim> body(solid.body(b), b, solid.fem().element(), material, Vec<dim>::Zero());
+    const double omega_squared = modal::lowest_modes(body, material, 1).omega_squared[0];
+    require(
+        omega_squared > 0,
+        "solid.damping_ratio: solid.body.{} is free to move as a whole; hold it, or leave the damping out",
+        b);
+    rates[static_cast<std::size_t>(b)] = 2 * solid.damping_ratio() * std::sqrt(omega_squared);
+  }
+  return rates;
+}
+
+template std::vector<double> damping_rates<2>(const v1::Solid&);
+
+}  // namespace cosurge

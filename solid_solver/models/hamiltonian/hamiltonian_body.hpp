@@ -1,0 +1,71 @@
+// One body of particles whose forces derive from one energy.
+#pragma once
+
+#include <vector>
+
+#include "solid_solver/models/particles/particle_model.hpp"
+
+namespace cosurge::hamiltonian {
+
+/// Total Lagrangian particles (Kondo et al. 2010; docs/method_solid.md, section 9): deformation gradients by
+/// weighted least squares over the reference neighbours, St. Venant-Kirchhoff material, and a second energy
+/// of what those gradients do not see, which holds the shortest waves. Forces are the exact derivative of the
+/// sum: energy, linear and angular momentum are kept. Velocity Verlet. Sums run over the neighbours in
+/// ascending order, eight particles at a time.
+template <int dim>
+class HamiltonianBody : public particles::ParticleBody<dim> {
+ public:
+  /// @param stabilisation modulus of the second energy over Young's [-]
+  HamiltonianBody(const v1::Body& body, int index, const particles::Stencil<dim>& stencil,
+                  const particles::Substance<dim>& substance, double stabilisation);
+
+  /// Highest angular frequency of the undeformed body [rad/s], by Lanczos iteration: steps are stable up to 2
+  /// over it.
+  double highest_frequency() const;
+
+  void advance(int substeps, double dt) override;
+  Energies energies(double dt) const override;
+  Field acceleration() const override;
+  void place(std::size_t particle, const Vec<dim>& displacement, const Vec<dim>& velocity) override;
+  void restore(StateReader& state) override;
+
+ private:
+  using Base = particles::ParticleBody<dim>;
+  using Slots = particles::Slots;
+  using Lanes = particles::Lanes;
+  using Base::displacement_, Base::velocity_, Base::load_, Base::load_change_;
+  using Base::grid_, Base::stencil_, Base::substance_, Base::mass_, Base::present_, Base::free_;
+  using Tensor = std::array<std::array<Lanes, dim>, dim>;
+  using Tensors = std::array<std::array<Slots, dim>, dim>;
+  using Vectors = std::array<Slots, dim>;
+
+  struct Neighbor {
+    Eigen::Index shift;          // to its slot
+    double w;                    // weight
+    std::array<double, dim> r0;  // w times the way to it [m]
+  };
+
+  void sum_geometry();
+  Tensor displacement_gradient(const Vectors& u, Eigen::Index i) const;
+  void measure_stress(const Vectors& u) const;
+  particles::LaneVec<dim> internal_acceleration(const Vectors& u, Eigen::Index i) const;
+  void accelerate(double dt, double load_fraction);
+
+  std::vector<Neighbor> neighbors_;
+  double hold_;            // 2 kappa c0 / rho [1/(m2 s2)], pair constant of the second energy (S33)
+  Slots weight_;           // sum of w over the neighbours that are there
+  Vectors first_moment_;   // sum of w r0 over them [m]: zero inside
+  Tensors inverse_shape_;  // A^-1 [1/m2]
+  mutable Tensors pull_;   // G = (P A^-1 - kappa c0 H) / rho
+  Vectors acceleration_;   // internal, of the present displacement
+  bool fresh_ = false;     // whether acceleration_ is
+};
+
+/// The model `hamiltonian` of a case.
+/// @param spacing l0 [m]
+/// @throws Error for a body without free particles or thinner than two, and for a sub-step beyond the stable
+/// one.
+template <int dim>
+std::unique_ptr<SolidModel> make_hamiltonian(const v1::Solid& solid, double spacing, const Vec<dim>& gravity);
+
+}  // namespace cosurge::hamiltonian
