@@ -29,6 +29,7 @@ v1::Case PlateCase::make() const {
   solid.set_poisson_ratio(plate.poisson_ratio);
   solid.mutable_fem()->set_element(3 * spacing());
   solid.mutable_fem()->set_rho_infinity(1);
+  solid.set_damping_ratio(damping_ratio);
   v1::Body& body = *solid.add_body();
   set(*body.mutable_box(), {0, 0}, {plate.thickness, plate.length});
   if (clamped) set(*body.add_clamp(), {0, -4 * spacing()}, {plate.thickness, 0});
@@ -42,20 +43,24 @@ v1::Case PlateCase::make() const {
 }
 
 Plate::Plate(const PlateCase& from) {
-  const auto rows = static_cast<Eigen::Index>(std::lround(from.plate.length / from.spacing()));
-  interface_ = {.dimension = 2, .position = Field(2, rows), .area = Field::Zero(2, rows), .body = {}};
-  for (Eigen::Index j = 0; j < rows; ++j) {
-    interface_.position.col(j) << 0.5 * from.spacing(), (static_cast<double>(j) + 0.5) * from.spacing();
-    interface_.area(0, j) = -from.spacing();
-  }
-  interface_.body.assign(static_cast<std::size_t>(rows), 0);
+  const double l0 = from.spacing();
+  const long rows = std::lround(from.plate.length / l0), columns = from.only_face ? 1 : from.particles;
+  interface_ = {.dimension = 2,
+                .position = Field(2, rows * columns),
+                .area = Field::Zero(2, rows * columns),
+                .body = {}};
+  for (long k = 0; k < rows * columns; ++k)
+    interface_.position.col(k) << l0 * (static_cast<double>(k % columns) + 0.5),
+        l0 * (static_cast<double>(k / columns) + 0.5);
+  interface_.body.assign(static_cast<std::size_t>(rows * columns), 0);
   setup_ = solid_.initialize(from.make(), interface_, surface_);
 }
 
-void Plate::advance(double window, double pressure) { advance(window, Field(-pressure * interface_.area)); }
-
-void Plate::advance(double window, const Field& force) {
-  surface_.force = force;
+void Plate::advance(double window, const Load& load) {
+  for (Eigen::Index p = 0; p < points(); ++p) {
+    const Vec<2> force = load({interface_.position(0, p), interface_.position(1, p)});
+    surface_.force.col(p) << force[0], force[1];
+  }
   report_ = solid_.advance({.index = windows_++, .start = time_, .size = window}, surface_);
   time_ += window;
 }
@@ -66,29 +71,27 @@ double Plate::value(const std::string& column) const {
   throw Error("no column " + column);
 }
 
-double frequency_of(const std::vector<double>& samples, double interval) {
-  std::vector<double> rises;
-  for (std::size_t k = 1; k < samples.size(); ++k)
-    if (samples[k - 1] < 0 && samples[k] >= 0)
-      rises.push_back((static_cast<double>(k) - samples[k] / (samples[k] - samples[k - 1])) * interval);
-  require(rises.size() > 1, "no swing to time");
-  return static_cast<double>(rises.size() - 1) / (rises.back() - rises.front());
-}
-
-double first_frequency(const PlateCase& from) {
+double swing_frequency(const PlateCase& from, double expected, const Vec<2>& direction) {
   constexpr int per_period = 200, periods = 4;
-  const double expected = from.plate.timoshenko(), window = 1 / (expected * per_period);
-  // Deflects by 1e-4 of the length; smooth, so that the second mode, six times as fast, gets 1e-3 of the
-  // first's.
-  const double pressure = 1e-4 * from.plate.length / from.plate.deflection();
+  const double window = 1 / (expected * per_period);
   Plate plate(from);
-  std::vector<double> tip;
+  // An acceleration that moves the end by about 1e-4 of the length. The pulse's spectrum is zero at all
+  // multiples of the frequency from the second on, and small between them.
+  const double force = 1e-4 * from.plate.length * std::pow(expected * 2 * std::numbers::pi, 2) *
+                       from.plate.density * from.plate.length * from.plate.thickness /
+                       static_cast<double>(plate.points());
+  std::vector<double> rises;
+  double before = 0;
   for (int k = 1; k <= (periods + 2) * per_period; ++k) {
     const double phase = std::min(1.0, static_cast<double>(k) / per_period);
-    plate.advance(window, pressure * std::pow(std::sin(std::numbers::pi * phase), 2));
-    if (k > per_period) tip.push_back(plate.value("tip_x"));
+    const double share = force * std::pow(std::sin(std::numbers::pi * phase), 2);
+    plate.advance(window, [&](const Vec<2>&) { return Vec<2>(share * direction); });
+    const double now = plate.tip().dot(direction);
+    if (k > per_period && before < 0 && now >= 0) rises.push_back((k - now / (now - before)) * window);
+    before = now;
   }
-  return frequency_of(tip, window);
+  require(rises.size() > 1, "no swing to time");
+  return static_cast<double>(rises.size() - 1) / (rises.back() - rises.front());
 }
 
 }  // namespace cosurge

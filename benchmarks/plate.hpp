@@ -1,10 +1,12 @@
 // The plates of the tables: any model under a smooth load, and what its end does.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "benchmarks/timoshenko.hpp"
+#include "common/vec.hpp"
 #include "solid_solver/solid_participant.hpp"
 
 namespace cosurge {
@@ -16,21 +18,24 @@ struct PlateCase {
   int particles = 12;    ///< through the thickness; elements have three of them along a side
   bool clamped = true;   ///< at the foot
   double gravity_x = 0;  ///< [m/s2]
+  double damping_ratio = 0;
+  bool only_face = false;  ///< points on the left face alone, as water sees it; otherwise in all of the plate
 
   double spacing() const { return plate.thickness / particles; }
   v1::Case make() const;
 };
 
-/// The model, loaded along x at the points of its left face.
+/// The model under loads at its points, ramped over every window. "tip" is the middle of its end.
 class Plate {
  public:
   explicit Plate(const PlateCase& from);
 
-  /// One window under a uniform pressure on the left face [Pa], reached by a ramp.
-  void advance(double window, double pressure);
-  void advance(double window, const Field& force);
+  /// Force at a point X [N].
+  using Load = std::function<Vec<2>(const Vec<2>&)>;
+  void advance(double window, const Load& load);
 
   double value(const std::string& column) const;
+  Vec<2> tip() const { return {value("tip_x"), value("tip_y")}; }
   double energy() const {
     return value("kinetic_energy") + value("elastic_energy") + value("gravity_energy");
   }
@@ -47,10 +52,8 @@ class Plate {
   std::uint64_t windows_ = 0;
 };
 
-/// Frequency of free swings [Hz] from the rises through zero of equally spaced samples.
-double frequency_of(const std::vector<double>& samples, double interval);
-
-/// First frequency of a plate [Hz]: a pulse as long as a period, then four periods of swinging.
-double first_frequency(const PlateCase& plate);
+/// Frequency [Hz] of the free swings after a pulse on the whole plate, as long as a period is expected to be,
+/// along `direction`: four periods, in windows of 1/200.
+double swing_frequency(const PlateCase& plate, double expected, const Vec<2>& direction);
 
 }  // namespace cosurge

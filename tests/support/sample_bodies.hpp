@@ -38,6 +38,7 @@ class FemSample {
   static constexpr double clear_of_faces = 1e-6;  ///< [m] from where on a node is inside
   static constexpr double conserves =
       1e-7;  ///< momenta: the balance of forces is 1e-10 of the largest, 200 times
+  static constexpr double rounding = 1e-11;   ///< of the sum of all forces, over the largest
   static constexpr bool whole_energy = true;  ///< the continuum's energy for affine motion, faces included
 
   explicit FemSample(const Block& block)
