@@ -25,5 +25,6 @@ std::vector<double> damping_rates(const v1::Solid& solid) {
 }
 
 template std::vector<double> damping_rates<2>(const v1::Solid&);
+template std::vector<double> damping_rates<3>(const v1::Solid&);
 
 }  // namespace cosurge

@@ -25,32 +25,25 @@ Vec<dim> gravity_of(const v1::Case& the_case) {
 }
 
 template <int dim>
-std::unique_ptr<SolidModel> make_rigid(const v1::Case& the_case) {
+std::unique_ptr<SolidModel> make(const v1::Case& the_case) {
   const v1::Solid& solid = the_case.solid();
-  if (solid.model() == v1::SolidModel::rigid)
-    return std::make_unique<RigidModel<dim>>(solid, spacing_of(the_case));
-  return std::make_unique<sprung::SprungModel<dim>>(solid, spacing_of(the_case), gravity_of<dim>(the_case));
-}
-
-std::unique_ptr<SolidModel> make_deformable(const v1::Case& the_case) {
-  const v1::Solid& solid = the_case.solid();
-  require(the_case.dimension() == 2, "dimension = {}: solid.model = \"{}\" is for scenes of 2 dimensions",
-          the_case.dimension(), v1::SolidModel::Word_Name(solid.model()));
-  require(solid.has_young_modulus(), "solid.young_modulus: missing");
   const double spacing = spacing_of(the_case);
-  const Vec<2> gravity = gravity_of<2>(the_case);
+  const Vec<dim> gravity = gravity_of<dim>(the_case);
   switch (solid.model()) {
     case v1::SolidModel::mps:
-      return mps::make_mps(solid, spacing, gravity);
+      if constexpr (dim == 2) return mps::make_mps(solid, spacing, gravity);
+      throw Error(
+          "solid.model: mps is for scenes of 2 dimensions; in 3 there are hamiltonian, fem and modal");
     case v1::SolidModel::hamiltonian:
-      return hamiltonian::make_hamiltonian<2>(solid, spacing, gravity);
+      return hamiltonian::make_hamiltonian<dim>(solid, spacing, gravity);
     case v1::SolidModel::fem:
-      return std::make_unique<fem::FemModel<2>>(solid, spacing, gravity);
+      return std::make_unique<fem::FemModel<dim>>(solid, spacing, gravity);
     case v1::SolidModel::modal:
-      return std::make_unique<modal::ModalModel<2>>(solid, spacing, gravity);
+      return std::make_unique<modal::ModalModel<dim>>(solid, spacing, gravity);
     case v1::SolidModel::rigid:
+      return std::make_unique<RigidModel<dim>>(solid, spacing);
     case v1::SolidModel::sprung:
-      break;
+      return std::make_unique<sprung::SprungModel<dim>>(solid, spacing, gravity);
   }
   throw Error("solid.model: unknown");
 }
@@ -60,8 +53,10 @@ std::unique_ptr<SolidModel> make_deformable(const v1::Case& the_case) {
 std::unique_ptr<SolidModel> make_model(const v1::Case& the_case) {
   require(the_case.has_solid(), "the case has no solid");
   const auto model = the_case.solid().model();
-  if (model != v1::SolidModel::rigid && model != v1::SolidModel::sprung) return make_deformable(the_case);
-  return the_case.dimension() == 2 ? make_rigid<2>(the_case) : make_rigid<3>(the_case);
+  const bool deformable = model != v1::SolidModel::rigid && model != v1::SolidModel::sprung;
+  require(!deformable || the_case.solid().has_young_modulus(),
+          "solid.young_modulus: missing, the model {} needs it", v1::SolidModel::Word_Name(model));
+  return the_case.dimension() == 2 ? make<2>(the_case) : make<3>(the_case);
 }
 
 }  // namespace cosurge

@@ -218,5 +218,6 @@ Field FemBody<dim>::to_nodes(const Vector& values) const {
 }
 
 template class FemBody<2>;
+template class FemBody<3>;
 
 }  // namespace cosurge::fem

@@ -108,5 +108,6 @@ void FemModel<dim>::restore(const std::string& text) {
 }
 
 template class FemModel<2>;
+template class FemModel<3>;
 
 }  // namespace cosurge::fem

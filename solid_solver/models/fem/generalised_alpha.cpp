@@ -125,5 +125,6 @@ void GeneralisedAlpha<dim>::restore(StateReader& state) {
 }
 
 template class GeneralisedAlpha<2>;
+template class GeneralisedAlpha<3>;
 
 }  // namespace cosurge::fem

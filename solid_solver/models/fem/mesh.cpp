@@ -100,5 +100,6 @@ double Mesh<dim>::outside(const Vec<dim>& x) const {
 }
 
 template class Mesh<2>;
+template class Mesh<3>;
 
 }  // namespace cosurge::fem

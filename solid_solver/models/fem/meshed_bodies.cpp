@@ -121,5 +121,6 @@ Snapshot MeshedBodies<dim>::frame(const Vectors& u, const Vectors& v) const {
 }
 
 template class MeshedBodies<2>;
+template class MeshedBodies<3>;
 
 }  // namespace cosurge::fem

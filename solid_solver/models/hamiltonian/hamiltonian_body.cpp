@@ -306,6 +306,8 @@ std::unique_ptr<SolidModel> make_hamiltonian(const v1::Solid& solid, double spac
 }
 
 template class HamiltonianBody<2>;
+template class HamiltonianBody<3>;
 template std::unique_ptr<SolidModel> make_hamiltonian<2>(const v1::Solid&, double, const Vec<2>&);
+template std::unique_ptr<SolidModel> make_hamiltonian<3>(const v1::Solid&, double, const Vec<3>&);
 
 }  // namespace cosurge::hamiltonian

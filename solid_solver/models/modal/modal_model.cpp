@@ -94,5 +94,6 @@ void ModalModel<dim>::restore(const std::string& text) {
 }
 
 template class ModalModel<2>;
+template class ModalModel<3>;
 
 }  // namespace cosurge::modal

@@ -55,5 +55,6 @@ Modes lowest_modes(const fem::FemBody<dim>& body, const Elasticity& material, in
 }
 
 template Modes lowest_modes<2>(const fem::FemBody<2>&, const Elasticity&, int);
+template Modes lowest_modes<3>(const fem::FemBody<3>&, const Elasticity&, int);
 
 }  // namespace cosurge::modal
