@@ -1,0 +1,166 @@
+// The elastic models in space: fem, modal and hamiltonian.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+#include "solid_solver/models/hamiltonian/hamiltonian_body.hpp"
+#include "solid_solver/models/modal/modes.hpp"
+#include "tests/support/loaded_solid.hpp"
+
+namespace cosurge {
+namespace {
+
+using test::l0;
+using test::LoadedSolid;
+
+/// A brick that stands on the x-y plane.
+v1::Case brick(double width_x, double width_y, double height, bool clamped, double spacing) {
+  v1::Case c;
+  c.set_dimension(3);
+  for (int k = 0; k < 3; ++k) c.add_gravity(0);
+  v1::Solid& solid = *c.mutable_solid();
+  solid.set_spacing(spacing);
+  solid.set_density(2500);
+  solid.set_young_modulus(1e6);
+  solid.set_poisson_ratio(0.3);
+  v1::Body& body = *solid.add_body();
+  test::set_box(*body.mutable_box(), {0, 0, 0}, {width_x, width_y, height});
+  if (clamped) test::set_box(*body.add_clamp(), {0, 0, -4 * spacing}, {width_x, width_y, 0});
+  return c;
+}
+
+Mat<3> rotation() {
+  return Eigen::AngleAxisd(std::numbers::pi / 2, Vec<3>(1, 2, 2).normalized()).toRotationMatrix();
+}
+
+Mat<3> stretched() {
+  Mat<3> U;
+  U << 1.08, 0.05, 0.02, 0.05, 0.94, -0.03, 0.02, -0.03, 1.01;
+  return rotation() * U;
+}
+
+/// Energies of a motion x = F X of a free block, over the continuum's.
+double fem_energy(const Mat<3>& F) {
+  const v1::Case c = brick(0.008, 0.006, 0.010, false, l0);
+  const fem::FemBody<3> body(c.solid().body(0), 0, 0.005, elasticity_of<3>(c.solid()), Vec<3>::Zero());
+  return body.elastic_energy(body.from_nodes((F - Mat<3>::Identity()) * body.mesh().position()));
+}
+
+double hamiltonian_energy(const Mat<3>& F) {
+  const v1::Case c = brick(0.008, 0.006, 0.010, false, l0);
+  hamiltonian::HamiltonianBody<3> body(c.solid().body(0), 0, particles::full_stencil<3>(l0, 2.1),
+                                       {.material = elasticity_of<3>(c.solid()), .gravity = Vec<3>::Zero()},
+                                       1);
+  for (std::size_t p = 0; p < body.grid().positions().size(); ++p) {
+    const Vec<3>& X = body.grid().positions()[p];
+    body.place(p, F * X - X, Vec<3>::Zero());
+  }
+  return body.energies(0).elastic;
+}
+
+TEST(Space, AffineMotionHasTheContinuumsEnergyAndRotationNone) {
+  const v1::Case c = brick(0.008, 0.006, 0.010, false, l0);
+  const double volume = 0.008 * 0.006 * 0.010;
+  const double exact =
+      volume * respond<3>(stretched() - Mat<3>::Identity(), elasticity_of<3>(c.solid())).energy;
+  EXPECT_NEAR(fem_energy(stretched()) / exact, 1, 1e-11);
+  EXPECT_NEAR(hamiltonian_energy(stretched()) / exact, 1, 1e-11);
+  EXPECT_LT(fem_energy(rotation()), 1e-26 * 1e6 * volume);  // the square of rounding
+  EXPECT_LT(hamiltonian_energy(rotation()), 1e-26 * 1e6 * volume);
+}
+
+TEST(Space, ForceAndTangentOfElementsAreDerivatives) {
+  v1::Case c = brick(0.004, 0.004, 0.004, true, l0);
+  const fem::FemBody<3> body(c.solid().body(0), 0, 0.004, elasticity_of<3>(c.solid()), Vec<3>::Zero());
+  Field moved(3, body.mesh().nodes());
+  for (Eigen::Index n = 0; n < moved.cols(); ++n) {
+    const Vec<3> X = body.mesh().position().col(n);
+    moved.col(n) << 20 * X[1] * X[2], 0.05 * X[2] - 10 * X[0] * X[2], 15 * X[2] * X[2];
+  }
+  const fem::Vector u = body.from_nodes(moved), force = body.internal_force(u).force;
+  const Eigen::MatrixXd K = Eigen::SparseMatrix<double>(body.tangent(u).selfadjointView<Eigen::Lower>());
+  const double step = 1e-8;  // central differences: rounding over 1e-8 m
+  for (Eigen::Index i = 0; i < body.unknowns(); i += 11) {
+    const fem::Vector d = step * fem::Vector::Unit(body.unknowns(), i);
+    const double slope = (body.elastic_energy(u + d) - body.elastic_energy(u - d)) / (2 * step);
+    EXPECT_NEAR(slope, force[i], 1e-6 * force.lpNorm<Eigen::Infinity>()) << i;
+    const fem::Vector row =
+        (body.internal_force(u + d).force - body.internal_force(u - d).force) / (2 * step);
+    EXPECT_LT((row - K.col(i)).lpNorm<Eigen::Infinity>(), 1e-6 * K.cwiseAbs().maxCoeff()) << i;
+  }
+}
+
+/// First frequency [Hz] of a plate 12 mm thick along x and 80 mm high, by its width.
+double plate_frequency(double width, double poisson_ratio) {
+  v1::Case c = brick(0.012, width, 0.080, true, 0.002);
+  c.mutable_solid()->set_poisson_ratio(poisson_ratio);
+  const Elasticity material = elasticity_of<3>(c.solid());
+  const fem::FemBody<3> body(c.solid().body(0), 0, 0.008, material, Vec<3>::Zero());
+  return std::sqrt(modal::lowest_modes(body, material, 1).omega_squared[0]) / (2 * std::numbers::pi);
+}
+
+TEST(Space, ACantileverPlateSwingsAsABeamWithoutPoissonsRatio) {
+  // Timoshenko 5.970 Hz for any width; elements of two across the thickness are 0.2 % stiff.
+  EXPECT_NEAR(plate_frequency(0.024, 0) / 5.970, 1, 0.005);
+}
+
+TEST(Space, ANarrowPlateSwingsAsInPlaneStressAWideOneNearlyAsInPlaneStrain) {
+  // Timoshenko for E = 1 MPa, rho = 2500, nu = 0.3 in plane stress: 5.9524 Hz; in plane strain 6.2317 Hz.
+  const double narrow = plate_frequency(0.013, 0.3), wide = plate_frequency(0.160, 0.3);
+  RecordProperty("narrow", fmt::format("{:.4f}", narrow));
+  RecordProperty("wide", fmt::format("{:.4f}", wide));
+  // The clamp hinders contraction, and elements are stiff: 1 % in the narrow plate.
+  EXPECT_NEAR(narrow / 5.9524, 1, 0.012);
+  // A plate twice as wide as high contracts at its sides: between the two.
+  EXPECT_GT(wide, 1.01 * narrow);
+  EXPECT_LT(wide, 6.2317 * 1.01);
+}
+
+class SpaceModels : public testing::TestWithParam<v1::SolidModel::Word> {};
+
+TEST_P(SpaceModels, WorkIsTheChangeOfEnergyAndAStateComesBackBitForBit) {
+  v1::Case c = brick(0.004, 0.006, 0.020, true, l0);
+  c.mutable_solid()->set_model(GetParam());
+  c.mutable_solid()->mutable_fem()->set_rho_infinity(1);
+  c.mutable_coupling()->set_load(v1::Coupling::ramped);
+  Interface points{.dimension = 3, .position = Field(3, 120), .area = Field::Zero(3, 120), .body = {}};
+  for (int k = 0; k < 120; ++k)
+    points.position.col(k) << 0.5 * l0, (k % 6 + 0.5) * l0, (static_cast<double>(k / 6) + 0.5) * l0;
+  points.body.assign(120, 0);
+  LoadedSolid run(c, points), other(c, points);
+  EXPECT_EQ(run.setup.particles, GetParam() == v1::SolidModel::hamiltonian ? 480u + 48u : 480u);
+  const auto load = [](int k) {
+    Field force = Field::Zero(3, 120);
+    force.row(0).setConstant(k < 39 ? 2e-5 * std::sin(0.08 * k) : 0.0);
+    force.row(1).setConstant(k < 39 ? 1e-5 * std::sin(0.05 * k) : 0.0);
+    return force;
+  };
+  double gross = 0, work = 0, energy = 0;
+  for (int k = 0; k < 40; ++k) {
+    if (k == 20) other.solid.restore(run.solid.save());
+    run.surface.force = other.surface.force = load(k);
+    const Report report = run.advance(2e-4);
+    if (k >= 20) other.advance(2e-4);
+    const double now = run.value(report, "interface_work");
+    gross += std::abs(now - work);
+    work = now;
+    energy = run.value(report, "kinetic_energy") + run.value(report, "elastic_energy");
+  }
+  // As in the plane: the ripple of explicit steps; the mid-point rule but for what is not linear; rounding.
+  const double off = GetParam() == v1::SolidModel::hamiltonian ? 2e-3
+                     : GetParam() == v1::SolidModel::fem       ? 1e-5
+                                                               : 1e-11;
+  EXPECT_NEAR(energy, work, off * gross);
+  EXPECT_GT(run.surface.displacement.cwiseAbs().maxCoeff(), 1e-5);
+  EXPECT_TRUE((run.surface.displacement.array() == other.surface.displacement.array()).all());
+}
+
+INSTANTIATE_TEST_SUITE_P(All, SpaceModels,
+                         testing::Values(v1::SolidModel::hamiltonian, v1::SolidModel::fem,
+                                         v1::SolidModel::modal),
+                         [](const auto& choice) { return v1::SolidModel::Word_Name(choice.param); });
+
+}  // namespace
+}  // namespace cosurge
