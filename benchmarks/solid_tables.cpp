@@ -9,7 +9,7 @@
 #include <functional>
 #include <map>
 
-#include "benchmarks/plate.hpp"
+#include "tests/support/plate.hpp"
 
 namespace cosurge {
 namespace {

@@ -41,8 +41,8 @@ Response<dim> st_venant_kirchhoff(const Mat<dim>& H, const Elasticity& m) {
 }
 
 /// The compressible neo-Hookean law psi = mu / 2 (tr C - 3 - 2 ln J) + lambda / 2 (ln J)^2 with C = F^T F
-/// (Bonet & Wood 2008; docs/method_solid.md, S35): S = mu (I - C^-1) + lambda ln J C^-1. In plane stress the stretch across follows from
-/// S_33 = 0, by Newton's method on its logarithm. Without sense where det F <= 0.
+/// (Bonet & Wood 2008; docs/method_solid.md, S35): S = mu (I - C^-1) + lambda ln J C^-1. In plane stress the
+/// stretch across follows from S_33 = 0, by Newton's method on its logarithm. Without sense where det F <= 0.
 template <int dim>
 Response<dim> neo_hookean(const Mat<dim>& H, const Elasticity& m) {
   const double mu = m.mu(), lambda = m.lambda_in_space();

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "benchmarks/plate.hpp"
+#include "tests/support/plate.hpp"
 
 namespace cosurge {
 namespace {

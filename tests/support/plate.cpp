@@ -1,4 +1,4 @@
-#include "benchmarks/plate.hpp"
+#include "tests/support/plate.hpp"
 
 #include <algorithm>
 #include <cmath>

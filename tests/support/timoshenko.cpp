@@ -1,4 +1,4 @@
-#include "benchmarks/timoshenko.hpp"
+#include "tests/support/timoshenko.hpp"
 
 #include <Eigen/LU>
 #include <cmath>

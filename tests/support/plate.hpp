@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "benchmarks/timoshenko.hpp"
 #include "common/vec.hpp"
 #include "solid_solver/solid_participant.hpp"
+#include "tests/support/timoshenko.hpp"
 
 namespace cosurge {
 
