@@ -123,13 +123,17 @@ void encode(const Window& window, v1::Window& message) {
   message.set_index(window.index);
   message.set_start(window.start);
   message.set_size(window.size);
+  message.set_attempt(window.attempt);
 }
 
 Window decode(const v1::Window& message) {
   require(std::isfinite(message.start()), "window {} starts at {} s", message.index(), message.start());
   require(std::isfinite(message.size()) && message.size() > 0, "window {} is {} s long, must be > 0",
           message.index(), message.size());
-  return {.index = message.index(), .start = message.start(), .size = message.size()};
+  return {.index = message.index(),
+          .start = message.start(),
+          .size = message.size(),
+          .attempt = message.attempt()};
 }
 
 void encode(const Setup& setup, v1::Initialized& message) {

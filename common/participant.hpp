@@ -37,7 +37,7 @@ struct Interface {
 /// What the solvers tell each other at the interface points: the solid fills the motion, the fluid the load.
 struct Surface {
   Field displacement;  ///< [m] at the end of the solid's last window
-  Field velocity;      ///< [m/s] mean over the solid's last window
+  Field velocity;      ///< [m/s] over the solid's last window: its mean, or that at the end, as the case says
   Field
       ramp_increment;  ///< [m] integral of velocity * (t - start) / size over the window; zero for held loads
   Field force;         ///< [N] on the solid (per metre of width in two dimensions) = -pressure * area
@@ -51,6 +51,10 @@ struct Window {
   std::uint64_t index = 0;
   double start = 0;  ///< [s]
   double size = 0;   ///< [s]
+
+  /// 0: the window is gone through once. 1: it may be gone through again, so the participant remembers its
+  /// state. n > 1: again, from the state that it remembers.
+  std::uint32_t attempt = 0;
 };
 
 /// A quantity that a participant reports after every window.
@@ -98,7 +102,8 @@ class Participant {
   virtual Setup initialize(const v1::Case& the_case, Interface& interface, Surface& surface) = 0;
 
   /// One window. The fluid reads the motion and fills the load; the solid reads the load and fills the
-  /// motion.
+  /// motion. Between attempts of one window only the velocity differs of what the fluid reads: its bodies
+  /// stay where they were at the start.
   virtual Report advance(const Window& window, Surface& surface) = 0;
 
   /// The complete state as bytes: restore(save()) continues bit for bit, also in another process of the same

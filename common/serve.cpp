@@ -121,6 +121,7 @@ void Service::dispatch(const Request& request, v1::Reply& reply) {
   } else {
     if (request.has_welcome()) welcome(request.welcome());
     if (request.has_restore()) participant_.restore(request.restore().state());
+    remembered_ = {};
     if (request.has_finalize()) participant_.finalize();
     reply.mutable_done();
   }
@@ -157,8 +158,19 @@ void Service::initialize(const v1::Initialize& request, v1::Reply& reply) {
   }
 }
 
+/// A window can be gone through again as long as no other has come between.
+void Service::check_attempt(const Window& window) {
+  require(window.attempt <= 1 ||
+              (remembered_.attempt == window.attempt - 1 && remembered_.index == window.index &&
+               remembered_.start == window.start && remembered_.size == window.size),
+          "attempt {} at a window that is not the one of attempt {} just before", window.attempt,
+          window.attempt - 1);
+  remembered_ = window;
+}
+
 void Service::advance(const v1::Advance& request, v1::Reply& reply) {
   const Window window = decode(request.window());
+  check_attempt(window);
   if (identity_.role == Role::fluid) {
     require(request.has_motion(), "no motion for the fluid");
     decode_motion(request.motion(), surface_);

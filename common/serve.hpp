@@ -38,6 +38,7 @@ class Service {
   void welcome(const v1::Welcome& request) const;
   void initialize(const v1::Initialize& request, v1::Reply& reply);
   void advance(const v1::Advance& request, v1::Reply& reply);
+  void check_attempt(const Window& window);
 
   Participant& participant_;
   Identity identity_;
@@ -46,6 +47,7 @@ class Service {
   std::uint64_t sequence_ = 0;
   Interface interface_;
   Surface surface_;
+  Window remembered_;  // that may be gone through again; attempt 0: none
 };
 
 /// Serves one run: says Hello and answers until the run is finalized. What goes wrong is told to the coupler,

@@ -100,4 +100,22 @@ class StateReader {
   std::string_view rest_;
 };
 
+/// A matrix with its size, for those whose size the reader does not know.
+template <typename Matrix>
+void put_sized(StateWriter& state, const Matrix& values) {
+  state.put(static_cast<std::int64_t>(values.rows()));
+  state.put(static_cast<std::int64_t>(values.cols()));
+  state.put(values);
+}
+
+template <typename Matrix>
+void get_sized(StateReader& state, Matrix& values) {
+  std::int64_t rows = 0;
+  std::int64_t columns = 0;
+  state.get(rows);
+  state.get(columns);
+  values.resize(rows, columns);
+  state.get(values);
+}
+
 }  // namespace cosurge

@@ -34,12 +34,29 @@ bool Coupler::run(const std::vector<Observer*>& observers, const std::function<b
     largest_ = case_.time().window();
     for (const Report& report : reports) largest_ = std::min(largest_, report.window);
     schedule_.complete(window);
-    for (Observer* observer : observers) observer->window(window, reports, account_.values());
+    if (!scheme_->effort().converged) ++unconverged_;
+    const std::vector<double> own = values();
+    for (Observer* observer : observers) observer->window(window, reports, own);
     if (schedule_.at_frame()) show_frame(observers);
   }
   for (Participant* participant : {participants_.fluid, participants_.solid})
     if (participant != nullptr) participant->finalize();
   return true;
+}
+
+std::vector<Column> Coupler::columns() const {
+  std::vector<Column> columns = InterfaceAccount::columns(case_.dimension());
+  for (const char* name : {"iterations", "residual", "unconverged", "added_mass_ratio"})
+    columns.push_back({name, "-"});
+  return columns;
+}
+
+std::vector<double> Coupler::values() const {
+  std::vector<double> values = account_.values();
+  const Effort& effort = scheme_->effort();
+  values.insert(values.end(), {static_cast<double>(effort.iterations), effort.residual,
+                               static_cast<double>(unconverged_), scheme_->ratio().value()});
+  return values;
 }
 
 void Coupler::show_frame(const std::vector<Observer*>& observers) {
@@ -53,6 +70,8 @@ std::string Coupler::save() const {
   StateWriter state;
   schedule_.save(state);
   account_.save(state);
+  scheme_->save(state);
+  state.put(unconverged_);
   state.put(largest_);
   for (const Field* field :
        {&surface_.displacement, &surface_.velocity, &surface_.ramp_increment, &surface_.force})
@@ -67,6 +86,8 @@ void Coupler::restore(const std::string& bytes) {
   StateReader state(bytes);
   schedule_.restore(state);
   account_.restore(state);
+  scheme_->restore(state);
+  state.get(unconverged_);
   state.get(largest_);
   for (Field* field : {&surface_.displacement, &surface_.velocity, &surface_.ramp_increment, &surface_.force})
     state.get(*field);

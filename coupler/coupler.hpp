@@ -20,8 +20,8 @@ struct Member {
 class Observer {
  public:
   virtual ~Observer() = default;
-  /// After every window: reports in the order of the members, then the coupler's own values (eq. of
-  /// InterfaceAccount).
+  /// After every window: reports in the order of the members, then the coupler's own values by
+  /// Coupler::columns().
   virtual void window(const Window& window, const Reports& reports, const std::vector<double>& coupling) = 0;
   /// At every landing, and at the start.
   virtual void frame(double time, const std::vector<Snapshot>& snapshots) = 0;
@@ -45,11 +45,14 @@ class Coupler {
 
   const std::vector<Member>& members() const { return members_; }
   const Interface& interface() const { return interface_; }
-  std::vector<Column> columns() const { return InterfaceAccount::columns(case_.dimension()); }
+  /// Of what the coupler itself reports of a window.
+  std::vector<Column> columns() const;
+  std::uint64_t unconverged() const { return unconverged_; }  ///< windows whose iterations ran out
   double time() const { return schedule_.time(); }
   std::uint64_t windows() const { return schedule_.windows(); }
 
  private:
+  std::vector<double> values() const;
   void show_frame(const std::vector<Observer*>& observers);
 
   v1::Case case_;
@@ -60,6 +63,7 @@ class Coupler {
   WindowSchedule schedule_;
   std::unique_ptr<Scheme> scheme_;
   InterfaceAccount account_;
+  std::uint64_t unconverged_ = 0;
   double largest_ = 0;  // next window that all participants can do [s]
 };
 

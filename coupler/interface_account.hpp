@@ -8,7 +8,8 @@ namespace cosurge {
 
 /// Work and force at the interface points, from what was exchanged and nothing else. The solid keeps the same
 /// account in its own unknowns; the two agree to rounding because loads go back by the transpose of what
-/// motions come by.
+/// motions come by. What the load has worked on the motion that the water saw differs from it by the work
+/// that the scheme itself puts into the system, or takes out.
 class InterfaceAccount {
  public:
   explicit InterfaceAccount(bool ramped) : ramped_(ramped) {}
@@ -17,10 +18,13 @@ class InterfaceAccount {
   void open(const Surface& surface);
 
   /// After the solid has moved. The load goes from f0 to f over the window on a ramp s: the work is
-  /// f0 . (du - m) + f . m with m the integral of s du; a held load is f all the while.
-  void close(const Surface& surface);
+  /// f0 . (du - m) + f . m with m the integral of s du; a held load is f all the while. `seen` is the
+  /// velocity that the water had for the load.
+  void close(const Surface& surface, const Field& seen, const Window& window);
 
   double work() const { return work_; }                            ///< done on the solid so far [J]
+  double seen_work() const { return seen_work_; }                  ///< the same by the fluid's account [J]
+  double created() const { return work_ - seen_work_; }            ///< by the coupling scheme [J]
   Eigen::VectorXd force() const { return load_.rowwise().sum(); }  ///< on the solid in the last window [N]
 
   static std::vector<Column> columns(int dimension);
@@ -32,6 +36,7 @@ class InterfaceAccount {
  private:
   bool ramped_;
   double work_ = 0;
+  double seen_work_ = 0;
   Field load_;          // of the last window
   Field displacement_;  // at its start
 };

@@ -19,8 +19,9 @@ std::string clock_text(double seconds) {
 
 }  // namespace
 
-Progress::Progress(const v1::Case& the_case, const std::vector<Member>& members, std::FILE* out)
-    : end_(the_case.time().end()), out_(out), terminal_(isatty(fileno(out)) != 0) {
+Progress::Progress(const v1::Case& the_case, const std::vector<Member>& members,
+                   const std::vector<Column>& columns, std::FILE* out)
+    : end_(the_case.time().end()), columns_(columns), out_(out), terminal_(isatty(fileno(out)) != 0) {
   find(members, "fluid", "ppe_iterations", "ppe");
   find(members, "fluid", "max_speed", "speed");
   find(members, "solid", "substeps", "substeps");
@@ -60,10 +61,24 @@ void Progress::window(const Window& window, const Reports& reports, const std::v
             : q.unit == "m" ? fmt::format("  {} {:.2f} mm", q.label, 1e3 * value)
                             : fmt::format("  {} {:.2f} {}", q.label, value, q.unit);
   }
-  if (!coupling.empty() && reports.size() > 1) line += fmt::format("  work {:.3g} J", coupling.front());
+  if (reports.size() > 1) line += coupling_text(coupling);
   line += fmt::format("  {:.1f} ms/window  {} left", 1e3 * took, clock_text(elapsed * (end_ - time) / time));
   std::fputs((terminal_ ? "\r\x1b[K" + line : line + "\n").c_str(), out_);
   std::fflush(out_);
+}
+
+/// What passes through the interface, and how hard it is to couple.
+std::string Progress::coupling_text(const std::vector<double>& values) const {
+  std::string text;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const std::string& name = columns_[k].name;
+    if (name == "work_points") text += fmt::format("  work {:.3g} J", values[k]);
+    if (name == "work_created") text += fmt::format(" ({:+.1g} created)", values[k]);
+    if (name == "iterations" && values[k] > 1) text += fmt::format("  iterations {:.0f}", values[k]);
+    if (name == "unconverged" && values[k] > 0) text += fmt::format("  {:.0f} not converged", values[k]);
+    if (name == "added_mass_ratio") text += fmt::format("  mu {:.2f}", values[k]);
+  }
+  return text;
 }
 
 }  // namespace cosurge

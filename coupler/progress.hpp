@@ -11,8 +11,9 @@ namespace cosurge {
 /// One line that is written over on a terminal; a new line every few seconds elsewhere.
 class Progress : public Observer {
  public:
-  /// `members` as the coupler has them; writes to `out`.
-  Progress(const v1::Case& the_case, const std::vector<Member>& members, std::FILE* out);
+  /// `members` and `columns` as the coupler has them; writes to `out`.
+  Progress(const v1::Case& the_case, const std::vector<Member>& members, const std::vector<Column>& columns,
+           std::FILE* out);
   ~Progress() override;
 
   void window(const Window& window, const Reports& reports, const std::vector<double>& coupling) override;
@@ -32,7 +33,10 @@ class Progress : public Observer {
   void find(const std::vector<Member>& members, const std::string& member, const std::string& column,
             const std::string& label);
 
+  std::string coupling_text(const std::vector<double>& values) const;
+
   double end_;
+  std::vector<Column> columns_;  // of the coupler's own values
   std::vector<Quantity> quantities_;
   std::FILE* out_;
   bool terminal_;

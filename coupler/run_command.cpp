@@ -151,7 +151,7 @@ int run_with(Solvers& solvers, const v1::Case& the_case, const fs::path& folder,
   Outcome outcome{.status = "finished", .reason = ""};
   int exit_status = 0;
   try {
-    Progress progress(the_case, coupler.members(), stdout);
+    Progress progress(the_case, coupler.members(), coupler.columns(), stdout);
     if (!coupler.run({recorder.get(), &checkpoints, &progress}, [] { return interrupted.load(); })) {
       outcome = {.status = "interrupted",
                  .reason = fmt::format("by a signal at t = {:.6g} s", coupler.time())};
@@ -169,6 +169,9 @@ int run_with(Solvers& solvers, const v1::Case& the_case, const fs::path& folder,
   write_summary(folder, *recorder, outcome);
   fmt::print("{} at t = {:.6g} s after {} windows{}{}\n", outcome.status, coupler.time(), coupler.windows(),
              outcome.reason.empty() ? "" : ": ", outcome.reason);
+  if (coupler.unconverged() > 0)
+    fmt::print("{} of {} windows did not converge in {} iterations: their last one counts\n",
+               coupler.unconverged(), coupler.windows(), the_case.coupling().iteration().limit());
   if (exit_status != 0) fmt::print("to go on: cosurge resume {}\n", folder.string());
   return exit_status;
 }

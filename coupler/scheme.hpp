@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "coupler/added_mass_ratio.hpp"
 #include "coupler/interface_account.hpp"
 
 namespace cosurge {
@@ -16,6 +17,13 @@ struct Participants {
 /// What the participants said of a window, those that are there: fluid first.
 using Reports = std::vector<Report>;
 
+/// What a scheme says of the last window.
+struct Effort {
+  int iterations = 1;     ///< times that the fluid went through it
+  double residual = 0;    ///< by how much the velocity that the water saw was wrong, relative
+  bool converged = true;  ///< false: a scheme that iterates has given up; the last iteration counts
+};
+
 class Scheme {
  public:
   virtual ~Scheme() = default;
@@ -23,6 +31,13 @@ class Scheme {
   /// One window of all participants from the `surface` at its start to that at its end; `account` gets the
   /// load and the motion that stand in the end.
   virtual Reports advance(const Window& window, Surface& surface, InterfaceAccount& account) = 0;
+
+  virtual const Effort& effort() const = 0;
+  virtual const AddedMassRatio& ratio() const = 0;
+
+  /// What the scheme remembers from window to window: a scheme that is restored goes on bit for bit.
+  virtual void save(StateWriter& state) const = 0;
+  virtual void restore(StateReader& state) = 0;
 };
 
 std::unique_ptr<Scheme> make_scheme(const v1::Coupling& coupling, Participants participants);

@@ -64,6 +64,20 @@ Json participants(const Recorder& recorder) {
   return participants;
 }
 
+/// How hard the two were to couple.
+Json coupling(const Recorder& recorder) {
+  const History* iterations = recorder.history("coupling/iterations");
+  const History* ratio = recorder.history("coupling/added_mass_ratio");
+  if (iterations == nullptr || ratio == nullptr) return {};
+  return {{"scheme", v1::Coupling::Scheme_Name(recorder.the_case().coupling().scheme())},
+          {"work_created", last(recorder, "coupling/work_created")},
+          {"iterations", iterations->sum()},
+          {"most_iterations", iterations->max().value},
+          {"unconverged", last(recorder, "coupling/unconverged")},
+          {"added_mass_ratio", ratio->last()},
+          {"largest_added_mass_ratio", ratio->max().value}};
+}
+
 }  // namespace
 
 void write_summary(const std::filesystem::path& folder, const Recorder& recorder, const Outcome& outcome) {
@@ -80,6 +94,7 @@ void write_summary(const std::filesystem::path& folder, const Recorder& recorder
                         {"interface_work",
                          {{"points", last(recorder, "coupling/work_points")},
                           {"solid", last(recorder, "solid/interface_work")}}},
+                        {"coupling", coupling(recorder)},
                         {"probes", probes(recorder)},
                         {"results", {{"hdf5", Recorder::results_name}, {"xdmf", Recorder::xdmf_name}}}};
   constexpr int indent = 2;

@@ -53,8 +53,11 @@ class FluidParticipant::SceneOf : public Scene {
   }
 
   Report advance(const Window& window, Surface& surface) override {
-    mps_.move_bodies(surface.displacement, surface.velocity);
-    const StepReport step = mps_.step(window.start, window.size);
+    if (window.attempt <= 1)
+      mps_.move_bodies(surface.displacement, surface.velocity);
+    else
+      mps_.set_body_velocity(surface.velocity);
+    const StepReport step = mps_.step(window.start, window.size, window.attempt);
     mps_.load(surface);
     const WaterState water = survey_water(mps_, particle_mass(), spacing(), gravity_);
     Report report;

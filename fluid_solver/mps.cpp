@@ -17,6 +17,9 @@ constexpr int loose = 3;  // neighbours up to which a particle flies freely and 
 constexpr double free_flight =
     0.5;  // of l0 that such a particle may fly in a step: it must not pass a wall unseen
 
+// Of the tolerance where a step may be repeated: the scheme takes differences between loads.
+constexpr double precise = 1e-2;
+
 /// Layers behind the wall: as many as complete the Laplacian of a particle in the wall.
 int dummy_layers(const v1::Fluid& fluid) { return static_cast<int>(std::ceil(fluid.re_laplacian())) - 1; }
 
@@ -85,14 +88,22 @@ void Mps<dim>::add_water(const v1::Solid* solid) {
 }
 
 template <int dim>
-StepReport Mps<dim>::step(double start, double dt) {
-  predict(start, dt);  // u* = u + dt g, x* = x + dt u*; walls go to where they are at the end
-  search_neighbors(start + dt);
-  diffuse_and_collide(dt);  // u* += dt nu lap u*, and collisions
-  density_and_free_surface(particles_, neighbors_, reference_.n0,
-                           {.beta = parameters_.free_surface().beta(),
-                            .delta = parameters_.free_surface().delta() * parameters_.spacing()});
-  const SolveReport pressure = solve_pressure(start, dt);
+StepReport Mps<dim>::step(double start, double dt, std::uint32_t attempt) {
+  if (attempt <= 1)
+    advance_to_pressure(start, dt);
+  else
+    return_to_pressure();
+  if (attempt == 1) {
+    predicted_x_ = particles_.x;
+    predicted_u_ = particles_.u;
+  }
+  clock_.enter(assembling);
+  set_source(dt);
+  if (attempt <= 1)
+    assemble(dt);
+  else
+    poisson_.set_source(source_);
+  const SolveReport pressure = solve_pressure(start, attempt > 0 ? precise : 1);
   correct(dt);  // u = u* - dt / rho grad p, x = x* + dt (u - u*)
   if (parameters_.shifting() > 0) shift(dt);
   StepReport report = survey(start + dt);
@@ -104,11 +115,35 @@ StepReport Mps<dim>::step(double start, double dt) {
 template <int dim>
 void Mps<dim>::move_bodies(const Field& displacement, const Field& velocity) {
   body_areas_ = bodies_.deformed_areas(displacement);
+  for (int k = 0; k < bodies_.points(); ++k)
+    particles_.x[body_place_[k]] = bodies_.position(k) + displacement.col(k);
+  set_body_velocity(velocity);
+}
+
+template <int dim>
+void Mps<dim>::advance_to_pressure(double start, double dt) {
+  predict(start, dt);  // u* = u + dt g, x* = x + dt u*; walls go to where they are at the end
+  search_neighbors(start + dt);
+  diffuse_and_collide(dt);  // u* += dt nu lap u*, and collisions
+  density_and_free_surface(particles_, neighbors_, reference_.n0,
+                           {.beta = parameters_.free_surface().beta(),
+                            .delta = parameters_.free_surface().delta() * parameters_.spacing()});
+}
+
+template <int dim>
+void Mps<dim>::return_to_pressure() {
+  for (int i = 0; i < particles_.size(); ++i) {
+    if (particles_.kind[i] != Kind::fluid) continue;
+    particles_.x[i] = predicted_x_[i];
+    particles_.u[i] = predicted_u_[i];
+  }
+}
+
+template <int dim>
+void Mps<dim>::set_body_velocity(const Field& velocity) {
   max_body_speed_ = 0;
   for (int k = 0; k < bodies_.points(); ++k) {
-    const std::int32_t place = body_place_[k];
-    particles_.x[place] = bodies_.position(k) + displacement.col(k);
-    particles_.u[place] = velocity.col(k);
+    particles_.u[body_place_[k]] = velocity.col(k);
     max_body_speed_ = std::max(max_body_speed_, velocity.col(k).norm());
   }
 }
@@ -212,26 +247,31 @@ void Mps<dim>::set_source(double dt) {
 }
 
 template <int dim>
-SolveReport Mps<dim>::solve_pressure(double start, double dt) {
-  clock_.enter(assembling);
-  set_source(dt);
+void Mps<dim>::assemble(double dt) {
   poisson_.assemble(particles_, neighbors_.grid(), source_, areas_, dt);
-  clock_.enter(solving);
   const auto& unknowns = poisson_.unknowns();
   pressure_.resize(unknowns.size());
   for (std::size_t k = 0; k < unknowns.size(); ++k) pressure_[k] = particles_.p[unknowns[k]];  // warm start
+  clock_.enter(solving);
+  if (!unknowns.empty()) preconditioner_->set_up(poisson_.matrix(), poisson_.cells());
+}
+
+template <int dim>
+SolveReport Mps<dim>::solve_pressure(double start, double precision) {
+  clock_.enter(solving);
+  const auto& unknowns = poisson_.unknowns();
   const v1::Pressure& choice = parameters_.pressure();
+  const double tolerance = precision * choice.tolerance();
   SolveReport report;
   if (!unknowns.empty()) {
-    preconditioner_->set_up(poisson_.matrix(), poisson_.cells());
-    report = conjugate_gradient(poisson_.matrix(), poisson_.right_hand_side(), *preconditioner_,
-                                choice.tolerance(), choice.max_iterations(), pressure_);
+    report = conjugate_gradient(poisson_.matrix(), poisson_.right_hand_side(), *preconditioner_, tolerance,
+                                choice.max_iterations(), pressure_);
   }
   if (!report.converged)
     throw NumericalError(
         fmt::format("pressure: residual {:.2e} > {:.2e} after {} iterations at t = {:.6g} s; raise "
                     "fluid.pressure.max_iterations or lower time.window",
-                    report.relative_residual, choice.tolerance(), report.iterations, start));
+                    report.relative_residual, tolerance, report.iterations, start));
   std::fill(particles_.p.begin(), particles_.p.end(), 0.0);
   for (std::size_t k = 0; k < unknowns.size(); ++k) particles_.p[unknowns[k]] = std::max(0.0, pressure_[k]);
   return report;

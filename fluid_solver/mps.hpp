@@ -29,13 +29,18 @@ class Mps {
   /// Lays out water, walls and the bodies' points at rest. `solid` may be null.
   Mps(const v1::Fluid& fluid, const v1::Solid* solid, const Vec<dim>& gravity);
 
-  /// One step of `dt` [s] with the bodies where move_bodies() put them.
+  /// One step of `dt` [s] with the bodies where move_bodies() put them. `attempt` as in Window: a step that
+  /// is repeated starts from the predicted state that the first attempt left, with the same neighbours, free
+  /// surface and matrix, and with the velocity of the bodies as it is now.
   /// @throws NumericalError when the pressure does not converge, a particle leaves all physical bounds, or
   /// the water collapses; the message names time, particle, cause and remedy.
-  StepReport step(double start, double dt);
+  StepReport step(double start, double dt, std::uint32_t attempt = 0);
 
   /// Puts the bodies' points to their displaced positions; both dimension x points [m], [m/s].
   void move_bodies(const Field& displacement, const Field& velocity);
+
+  /// Gives the bodies' points another velocity where they are [m/s].
+  void set_body_velocity(const Field& velocity);
 
   /// Load on the bodies' points by eq. (15): f = -P A. Fills force [N] and pressure [Pa].
   void load(Surface& surface) const;
@@ -54,12 +59,15 @@ class Mps {
 
  private:
   void add_water(const v1::Solid* solid);
+  void advance_to_pressure(double start, double dt);
+  void return_to_pressure();
   void predict(double start, double dt);
   void search_neighbors(double time);
   void locate_bodies();
   void diffuse_and_collide(double dt);
   void set_source(double dt);
-  SolveReport solve_pressure(double start, double dt);
+  void assemble(double dt);
+  SolveReport solve_pressure(double start, double precision);
   Vec<dim> pressure_gradient(int i) const;
   void correct(double dt);
   void shift(double dt);
@@ -87,6 +95,8 @@ class Mps {
   std::vector<Vec<dim>> push_;            // of the pressure on the velocity, by place
   std::vector<double> source_;            // of the pressure equation, by place
   std::vector<double> pressure_;          // of the unknowns
+  std::vector<Vec<dim>> predicted_x_;     // of a step that may be repeated, by place
+  std::vector<Vec<dim>> predicted_u_;
 };
 
 }  // namespace cosurge::fluid

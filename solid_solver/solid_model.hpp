@@ -52,6 +52,8 @@ class SolidModel {
 
   virtual Field displacement() const = 0;  ///< [m] dimension x nodes, at the end of the last window
 
+  virtual Field velocity() const = 0;  ///< [m/s] dimension x nodes, at the end of the last window
+
   /// sum over sub-steps k of s_k dq_k in the last window [m]: what ramped loads work on (S15).
   virtual Field ramp_increment() const = 0;
 

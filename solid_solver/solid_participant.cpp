@@ -45,6 +45,7 @@ Setup SolidParticipant::initialize(const v1::Case& the_case, Interface& interfac
   model_ = make_model(the_case);
   dimension_ = the_case.dimension();
   ramped_ = the_case.coupling().load() == v1::Coupling::ramped;
+  end_velocity_ = the_case.coupling().velocity() == v1::Coupling::end;
   if (interface.points() == 0) interface.position = Field::Zero(dimension_, 0);
   H_ = model_->interpolation(interface.position, interface.body);
   place_probes(the_case);
@@ -79,6 +80,8 @@ void SolidParticipant::place_probes(const v1::Case& the_case) {
 
 Report SolidParticipant::advance(const Window& window, Surface& surface) {
   assert(surface.force.cols() == H_.rows());
+  if (window.attempt == 1) remembered_ = save();
+  if (window.attempt > 1) restore(remembered_);
   clock_.enter(mapping);
   const Field new_load = surface.force * H_;
   const NodalLoad load{.first = ramped_ ? load_ : new_load, .last = new_load};
@@ -92,7 +95,8 @@ Report SolidParticipant::advance(const Window& window, Surface& surface) {
   interface_work_ +=
       load.first.cwiseProduct(increment).sum() + (load.last - load.first).cwiseProduct(late).sum();
   surface.displacement = moved * H_.transpose();
-  surface.velocity = increment * H_.transpose() / window.size;
+  surface.velocity =
+      end_velocity_ ? model_->velocity() * H_.transpose() : Field(increment * H_.transpose() / window.size);
   surface.ramp_increment = late * H_.transpose();
   displacement_ = moved;
   load_ = new_load;

@@ -38,12 +38,14 @@ class SolidParticipant : public Participant {
   std::unique_ptr<SolidModel> model_;
   int dimension_ = 0;
   bool ramped_ = false;
+  bool end_velocity_ = false;
   Interpolation H_;
   Probes probes_;
 
   Field displacement_;         // of the nodes at the end of the last window
   Field load_;                 // on the nodes in the last window
   double interface_work_ = 0;  // of the loads on the nodes, since the start [J]
+  std::string remembered_;     // state at the start of a window that may be gone through again
 
   PhaseClock<phases> clock_;
   double cpu_seconds_at_start_ = 0;

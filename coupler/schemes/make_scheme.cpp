@@ -1,13 +1,18 @@
 #include <stdexcept>
 
+#include "coupler/schemes/strong/strong.hpp"
 #include "coupler/schemes/weak.hpp"
 
 namespace cosurge {
 
 std::unique_ptr<Scheme> make_scheme(const v1::Coupling& coupling, Participants participants) {
+  if (participants.fluid == nullptr || participants.solid == nullptr)
+    return std::make_unique<Weak>(coupling, participants);
   switch (coupling.scheme()) {
     case v1::Coupling::weak:
-      return std::make_unique<Weak>(participants);
+      return std::make_unique<Weak>(coupling, participants);
+    case v1::Coupling::strong:
+      return std::make_unique<Strong>(coupling, participants);
   }
   throw std::logic_error("unknown coupling scheme");
 }

@@ -2,28 +2,31 @@
 #pragma once
 
 #include "coupler/scheme.hpp"
+#include "coupler/schemes/prediction.hpp"
 
 namespace cosurge {
 
 /// The paper's: the fluid steps with the motion that the solid had at the end of the last window, then the
 /// solid goes through the same window, in sub-cycles, under the load that came out. One exchange a window.
-/// Unstable where the added mass exceeds the solid's, whatever the window (Causin, Gerbeau & Nobile 2005,
-/// doi 10.1016/j.cma.2004.12.005).
+/// Unstable where the added mass exceeds the solid's by a factor near one, whatever the window (Causin,
+/// Gerbeau & Nobile 2005, doi 10.1016/j.cma.2004.12.005; docs/stability.md has the factors).
 class Weak : public Scheme {
  public:
-  explicit Weak(Participants participants) : participants_(participants) {}
+  Weak(const v1::Coupling& coupling, Participants participants)
+      : participants_(participants), prediction_(coupling.prediction()) {}
 
-  Reports advance(const Window& window, Surface& surface, InterfaceAccount& account) override {
-    Reports reports;
-    account.open(surface);
-    if (participants_.fluid != nullptr) reports.push_back(participants_.fluid->advance(window, surface));
-    if (participants_.solid != nullptr) reports.push_back(participants_.solid->advance(window, surface));
-    account.close(surface);
-    return reports;
-  }
+  Reports advance(const Window& window, Surface& surface, InterfaceAccount& account) override;
+
+  const Effort& effort() const override { return effort_; }
+  const AddedMassRatio& ratio() const override { return ratio_; }
+  void save(StateWriter& state) const override;
+  void restore(StateReader& state) override;
 
  private:
   Participants participants_;
+  Prediction prediction_;
+  Effort effort_;
+  AddedMassRatio ratio_;
 };
 
 }  // namespace cosurge

@@ -104,13 +104,13 @@ void PoissonEquation<dim>::assemble(const Particles<dim>& particles, const CellG
   const double stiffness = scale * parameters_.compressibility * parameters_.density / (dt * dt);
   const Assembly assembly{.particles = particles, .grid = grid, .areas = areas, .reach = reach};
   A_.diagonal.resize(place_.size());
-  b_.resize(place_.size());
+  wall_.resize(place_.size());
   const auto fill = [&](int k, std::int64_t begin) {
     const Row row = fill_row(assembly, k, begin);
     double weights = 0;
     for (int lane = 0; lane < Matrix::lanes; ++lane) weights += row.weights[lane];
     A_.diagonal[k] = stiffness + row.diagonal + weights;
-    b_[k] = -scale * source[place_[k]] + row.wall;
+    wall_[k] = row.wall;
     return row.end - begin;
   };
   const auto room = [&](std::int64_t blocks) {
@@ -119,6 +119,14 @@ void PoissonEquation<dim>::assemble(const Particles<dim>& particles, const CellG
   };
   A_.rows.fill(static_cast<int>(place_.size()), expected_blocks(dim),
                most_entries(dim) / Matrix::lanes + cells_.lines_per_cell, room, fill);
+  set_source(source);
+}
+
+template <int dim>
+void PoissonEquation<dim>::set_source(const std::vector<double>& source) {
+  const double scale = reference_.lambda0 * reference_.n0 / (2 * dim);
+  b_.resize(place_.size());
+  for (std::size_t k = 0; k < place_.size(); ++k) b_[k] = -scale * source[place_[k]] + wall_[k];
 }
 
 template <int dim>

@@ -30,6 +30,9 @@ class PoissonEquation {
   void assemble(const Particles<dim>& particles, const CellGrid<dim>& grid, const std::vector<double>& source,
                 const std::vector<Vec<dim>>& areas, double dt);
 
+  /// Another source for the matrix that is there.
+  void set_source(const std::vector<double>& source);
+
   const Matrix& matrix() const { return A_; }
   const std::vector<double>& right_hand_side() const { return b_; }
   const CellsOfUnknowns& cells() const { return cells_; }
@@ -66,6 +69,7 @@ class PoissonEquation {
   ReferenceValues reference_;
   Matrix A_;
   std::vector<double> b_;
+  std::vector<double> wall_;  // of the Neumann terms, in b_
   CellsOfUnknowns cells_;
   std::vector<std::int32_t> place_;  // of each unknown
   std::vector<std::int32_t> rank_;   // unknowns in lower places than this one, for each place and the end

@@ -171,6 +171,24 @@ TEST_F(Programs, AnInterruptedRunResumesToTheSameBits) {
   EXPECT_NE(again.output().find("the run is finished"), std::string::npos) << again.output();
 }
 
+TEST_F(Programs, AnInterruptedRunOfStrongCouplingResumesToTheSameBits) {
+  const std::vector<std::string> strong = {"--set", "coupling.scheme=strong",
+                                           "coupling.prediction=extrapolated", "fluid.source=mixed",
+                                           "solid.model=modal"};
+  run("whole", strong);
+  Program cut = start("cut", strong);
+  ASSERT_TRUE(patiently([&] { return frames("cut") >= 3; }));
+  kill(cut.pid(), SIGINT);
+  ASSERT_EQ(cut.wait(patience), 130) << cut.output();
+  Program resumed({cosurge_program, "resume", folder("cut"), "--in-process"},
+                  scratch_.path() / "resumed.log");
+  ASSERT_EQ(resumed.wait(patience), 0) << resumed.output();
+  expect_same_bits(folder("whole"), folder("cut"));
+  const nlohmann::json coupling = read_summary(folder("whole")).at("coupling");
+  EXPECT_GT(coupling.at("most_iterations"), 2);
+  EXPECT_EQ(coupling.at("unconverged"), 0);
+}
+
 TEST_F(Programs, ARunWhoseSolverWasKilledResumesFromItsLastFrameToTheSameBits) {
   run("whole", {});
   Program cut = start("cut", {});

@@ -123,8 +123,8 @@ TEST_P(Faults, EndTheRunWithinSecondsAndNameWhoAndWhat) {
 INSTANTIATE_TEST_SUITE_P(
     Protocol, Faults,
     ::testing::Values(
-        Fault{"wrong-version", 0, "mock_fluid 0.1.0: refused: it speaks protocol 2, the coupler speaks 1",
-              "the coupler refused this solver: it speaks protocol 2"},
+        Fault{"wrong-version", 0, "mock_fluid 0.1.0: refused: it speaks protocol 3, the coupler speaks 2",
+              "the coupler refused this solver: it speaks protocol 3"},
         Fault{"wrong-role", 0, "mock_fluid 0.1.0: refused: it is a solid solver, a fluid solver is expected",
               "the coupler refused this solver: it is a solid solver"},
         Fault{"wrong-token", 0, "mock_fluid 0.1.0: refused: it shows the token of another run",

@@ -1,6 +1,7 @@
 // Participants without physics of their own, for tests of the protocol and of coupling schemes.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <functional>
@@ -26,6 +27,7 @@ class MockParticipant : public Participant {
 
   Identity who;
   std::vector<double> state;
+  std::vector<double> remembered;  // at the start of a window that may be gone through again
   std::function<Setup(const v1::Case&, Interface&, Surface&)> on_initialize;
   std::function<Report(const Window&, Surface&)> on_advance;
   std::function<void()> on_finalize = [] {};
@@ -34,7 +36,11 @@ class MockParticipant : public Participant {
   Setup initialize(const v1::Case& the_case, Interface& interface, Surface& surface) override {
     return on_initialize(the_case, interface, surface);
   }
-  Report advance(const Window& window, Surface& surface) override { return on_advance(window, surface); }
+  Report advance(const Window& window, Surface& surface) override {
+    if (window.attempt == 1) remembered = state;
+    if (window.attempt > 1) std::copy(remembered.begin(), remembered.end(), state.begin());
+    return on_advance(window, surface);
+  }
   std::string save() override {
     return {reinterpret_cast<const char*>(state.data()), state.size() * sizeof(double)};
   }
@@ -52,13 +58,15 @@ class MockParticipant : public Participant {
 /// A column of incompressible water on a piston of unit area, the test bed with an exact answer: the added
 /// mass is density * height, the angular frequency sqrt(stiffness / (mass + density * height)).
 struct Piston {
-  double mass = 1000;      // per area [kg/m2]
-  double stiffness = 1e5;  // per area [N/m3]
-  double density = 1000;   // of the water [kg/m3]
-  double height = 0.5;     // of the column [m]
-  double gravity = 9.81;   // [m/s2]
-  int points = 5;          // that share the area
-  int substeps = 10;       // of the solid in a window
+  double mass = 1000;         // per area [kg/m2]
+  double stiffness = 1e5;     // per area [N/m3]
+  double density = 1000;      // of the water [kg/m3]
+  double height = 0.5;        // of the column [m]
+  double gravity = 9.81;      // [m/s2]
+  int points = 5;             // that share the area
+  int substeps = 10;          // of the solid in a window
+  bool ramped = false;        // load over a window
+  bool end_velocity = false;  // of the piston, as the water sees it; otherwise the mean
 
   double added_mass() const { return density * height; }
   double wet_frequency() const {  // [Hz]
@@ -93,24 +101,32 @@ inline std::unique_ptr<MockParticipant> water_column(const Piston& piston) {
   return fluid;
 }
 
-/// The piston: sub-cycles of symplectic Euler under the load of the window. State: height and velocity.
+/// The piston: sub-cycles of symplectic Euler under the load of the window. State: height, velocity, and the
+/// load of the last window.
 inline std::unique_ptr<MockParticipant> sprung_piston(const Piston& piston) {
   auto solid = std::make_unique<MockParticipant>(Role::solid);
-  solid->state = {0, 0};
+  solid->state = {0, 0, 0};
   solid->on_initialize = [](const v1::Case& the_case, Interface& interface, Surface& surface) {
     surface = Surface::at_rest(the_case.dimension(), interface.points());
     return Setup{.columns = {{"height", "m"}}, .particles = 1, .window = 1, .substep = 0};
   };
-  solid->on_advance = [piston, &y = solid->state[0], &v = solid->state[1]](const Window& window,
-                                                                           Surface& surface) {
+  solid->on_advance = [piston, &y = solid->state[0], &v = solid->state[1], &last = solid->state[2]](
+                          const Window& window, Surface& surface) {
     const double before = y;
     const double dt = window.size / piston.substeps;
+    const double load = surface.force.row(1).sum();
+    double late = 0;
     for (int k = 0; k < piston.substeps; ++k) {
-      v += dt * (surface.force.row(1).sum() - piston.stiffness * y) / piston.mass;
+      const double s = (k + 0.5) / piston.substeps;
+      const double now = piston.ramped ? last + s * (load - last) : load;
+      v += dt * (now - piston.stiffness * y) / piston.mass;
       y += dt * v;
+      late += s * dt * v;
     }
+    last = load;
     surface.displacement.row(1).setConstant(y);
-    surface.velocity.row(1).setConstant((y - before) / window.size);
+    surface.velocity.row(1).setConstant(piston.end_velocity ? v : (y - before) / window.size);
+    surface.ramp_increment.row(1).setConstant(piston.ramped ? late : 0);
     return Report{.values = {y}, .window = 1};
   };
   return solid;

@@ -27,6 +27,7 @@ class FemModel : public SolidModel {
   /// Sub-step k of n sees the load at (k + 1 - alpha_f) / n of the window, where its forces are balanced.
   int advance(const Window& window, const NodalLoad& load) override;
   Field displacement() const override { return bodies_.to_nodes(displacements()); }
+  Field velocity() const override { return bodies_.to_nodes(velocities()); }
   Field ramp_increment() const override { return bodies_.to_nodes(ramp_increment_); }
   double max_speed() const override { return bodies_.max_speed(velocities()); }
   Energies energies() const override;

@@ -29,6 +29,7 @@ class ModalModel : public SolidModel {
   /// One step, the window, under the linear load itself.
   int advance(const Window& window, const NodalLoad& load) override;
   Field displacement() const override { return bodies_.to_nodes(motion(&OscillatorState::position)); }
+  Field velocity() const override { return bodies_.to_nodes(motion(&OscillatorState::velocity)); }
   Field ramp_increment() const override { return bodies_.to_nodes(motion(&OscillatorState::ramp_increment)); }
   double max_speed() const override { return bodies_.max_speed(motion(&OscillatorState::velocity)); }
   Energies energies() const override;

@@ -107,6 +107,14 @@ Field ParticleModel<dim>::displacement() const {
 }
 
 template <int dim>
+Field ParticleModel<dim>::velocity() const {
+  Field all(dim, nodes());
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    all.middleCols(first_[b], bodies_[b]->particles()) = bodies_[b]->velocity();
+  return all;
+}
+
+template <int dim>
 Field ParticleModel<dim>::ramp_increment() const {
   Field all(dim, nodes());
   for (std::size_t b = 0; b < bodies_.size(); ++b)

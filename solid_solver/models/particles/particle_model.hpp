@@ -34,6 +34,7 @@ class ParticleModel : public SolidModel {
   double substep() const override { return substep_; }
   int advance(const Window& window, const NodalLoad& load) override;
   Field displacement() const override;
+  Field velocity() const override;
   Field ramp_increment() const override;
   double max_speed() const override;
   Energies energies() const override;

@@ -17,6 +17,7 @@ class RigidModel : public SolidModel {
   double substep() const override { return 0; }
   int advance(const Window& window, const NodalLoad& load) override;
   Field displacement() const override { return Field::Zero(dim, bodies_); }
+  Field velocity() const override { return Field::Zero(dim, bodies_); }
   Field ramp_increment() const override { return Field::Zero(dim, bodies_); }
   double max_speed() const override { return 0; }
   Energies energies() const override { return {}; }

@@ -56,6 +56,14 @@ Field SprungModel<dim>::displacement() const {
 }
 
 template <int dim>
+Field SprungModel<dim>::velocity() const {
+  Field all(dim, nodes());
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    all.middleCols(static_cast<Eigen::Index>(b) * per_body, per_body) = bodies_[b].velocity();
+  return all;
+}
+
+template <int dim>
 Field SprungModel<dim>::ramp_increment() const {
   Field all(dim, nodes());
   for (std::size_t b = 0; b < bodies_.size(); ++b)

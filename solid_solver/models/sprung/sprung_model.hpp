@@ -21,6 +21,7 @@ class SprungModel : public SolidModel {
   /// Returns the largest number of sub-steps that a body's rotation took.
   int advance(const Window& window, const NodalLoad& load) override;
   Field displacement() const override;
+  Field velocity() const override;
   Field ramp_increment() const override;
   double max_speed() const override;
   Energies energies() const override;

@@ -122,7 +122,7 @@ TEST_F(ServiceTest, RefusesACouplerOfAnotherProtocolOrRunInWords) {
   welcome.mutable_welcome()->set_protocol(99);
   EXPECT_THAT([&] { service.answer(welcome); },
               ThrowsMessage<Error>(
-                  HasSubstr("the coupler cosurge 0.1.0 speaks protocol 99, this mock_fluid 0.1.0 speaks 1")));
+                  HasSubstr("the coupler cosurge 0.1.0 speaks protocol 99, this mock_fluid 0.1.0 speaks 2")));
   Service other(*fluid, "another token");
   EXPECT_THAT([&] { other.answer(testing::welcome_request(token)); },
               ThrowsMessage<Error>(HasSubstr("shows the token of another run")));
@@ -155,6 +155,42 @@ TEST_F(ServiceTest, RefusesALoadForTheFluid) {
   v1::Request request = request_of(v1::Request::kAdvance, 3);
   request.mutable_advance()->mutable_load();
   EXPECT_THAT([&] { service.answer(request); }, ThrowsMessage<Error>(HasSubstr("no motion for the fluid")));
+}
+
+TEST_F(ServiceTest, GoesThroughAWindowAgainFromItsStart) {
+  bring_to(State::running);
+  Surface surface = Surface::at_rest(2, piston.points);
+  const auto pressure = [&](double velocity, std::uint32_t attempt) {
+    surface.velocity.row(1).setConstant(velocity);
+    v1::Request request = testing::advance_request(++sequence, surface, 7);
+    request.mutable_advance()->mutable_window()->set_attempt(attempt);
+    return service.answer(request).advanced().load().pressure(0);
+  };
+  const double first = pressure(0.1, 1);
+  EXPECT_NE(pressure(0.2, 2), first);
+  EXPECT_EQ(pressure(0.1, 3), first);
+}
+
+TEST_F(ServiceTest, RefusesAnotherAttemptAtAWindowWhoseStartIsNotRemembered) {
+  const Surface surface = Surface::at_rest(2, piston.points);
+  const auto attempt = [&](std::uint64_t window, std::uint32_t number) {
+    v1::Request request = testing::advance_request(++sequence, surface, window);
+    request.mutable_advance()->mutable_window()->set_attempt(number);
+    return [&, request] { service.answer(request); };
+  };
+  bring_to(State::running);
+  attempt(5, 1)();
+  attempt(5, 2)();
+  EXPECT_THAT(
+      attempt(6, 3),
+      ThrowsMessage<Error>(HasSubstr("attempt 3 at a window that is not the one of attempt 2 just before")));
+}
+
+TEST_F(ServiceTest, RefusesASecondAttemptWithoutAFirst) {
+  bring_to(State::running);
+  v1::Request request = testing::advance_request(3, Surface::at_rest(2, piston.points));
+  request.mutable_advance()->mutable_window()->set_attempt(2);
+  EXPECT_THAT([&] { service.answer(request); }, ThrowsMessage<Error>(HasSubstr("attempt 2")));
 }
 
 TEST_F(ServiceTest, PassesOnWhatTheParticipantThrowsWithItsPlaceAndKind) {

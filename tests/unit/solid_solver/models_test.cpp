@@ -54,6 +54,48 @@ TEST_P(Models, WorkAtThePointsIsTheWorkOnTheNodes) {
   EXPECT_NEAR(at_points, on_nodes, 1e-12 * gross);  // rounding
 }
 
+TEST_P(Models, AnotherAttemptAtAWindowStartsWhereTheFirstDid) {
+  const auto after = [&](const std::vector<int>& loads) {
+    LoadedSolid run(scene({.rows = 40, .poisson_ratio = 0.3}), test::left_face(40));
+    run.surface.force = load_of(0, 40);
+    run.advance(3e-4);
+    std::uint32_t attempt = loads.size() > 1 ? 1 : 0;
+    for (const int load : loads) {
+      run.surface.force = load_of(load, 40);
+      run.solid.advance({.index = 1, .start = 3e-4, .size = 3e-4, .attempt = attempt++}, run.surface);
+    }
+    return run.solid.save();
+  };
+  EXPECT_EQ(after({4}), after({2, 3, 4}));
+  EXPECT_NE(after({4}), after({3}));
+}
+
+TEST_P(Models, TheVelocityIsTheMeanOrThatAtTheEnd) {
+  v1::Case c = scene({.rows = 40, .poisson_ratio = 0.3});
+  const auto run = [&](v1::Coupling::Velocity choice, double size) {
+    c.mutable_coupling()->set_velocity(choice);
+    auto loaded = std::make_unique<LoadedSolid>(c, test::left_face(40));
+    for (int k = 0; k < 5; ++k) {
+      loaded->surface.force = load_of(k, 40);
+      loaded->advance(size);
+    }
+    return loaded;
+  };
+  const auto mean = run(v1::Coupling::mean, 3e-4);
+  const auto end = run(v1::Coupling::end, 3e-4);
+  EXPECT_EQ(mean->surface.displacement, end->surface.displacement);
+  // Under no load in a window that is short against every motion, both are the same velocity.
+  for (auto* loaded : {mean.get(), end.get()}) {
+    loaded->surface.force.setZero();
+    loaded->advance(1e-9);
+  }
+  const double scale = end->surface.velocity.norm();
+  EXPECT_GT(scale, 0);
+  // The displacement of some 1e-5 m is known to 1e-21 m, and divided by 1e-9 s; the stiffest acceleration,
+  // some 1e4 m/s2 at 1e-2 m/s, and what is left of a ramp change the velocity by 1e-5 of itself.
+  EXPECT_LT((mean->surface.velocity - end->surface.velocity).norm(), 1e-3 * scale);
+}
+
 TEST_P(Models, WorkIsTheChangeOfEnergy) {
   v1::Case c = scene({.rows = 40, .poisson_ratio = 0.3});
   c.mutable_solid()->mutable_fem()->set_rho_infinity(1);  // no damping

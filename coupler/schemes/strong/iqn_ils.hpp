@@ -1,0 +1,41 @@
+// Interface quasi-Newton with an inverse Jacobian from a least-squares problem.
+#pragma once
+
+#include <deque>
+
+#include "coupler/schemes/strong/relaxation.hpp"
+
+namespace cosurge {
+
+/// Degroote, Bathe & Vierendeels 2009 (doi 10.1016/j.compstruc.2008.11.013). With the columns dr of residuals
+/// and dg of outputs between iterations, of this window and the last ones: alpha = argmin |r + dr alpha|, x =
+/// g + dg alpha. Columns that are nearly combinations of newer ones are left out (QR2 filter: Haelterman et
+/// al. 2016, doi 10.1016/j.compstruc.2015.11.007). Added mass is positive, so that the step (1 + M)^-1 r is
+/// not longer than r: a longer one comes from noise in the columns, and is shortened.
+class IqnIls : public Relaxation {
+ public:
+  /// @param first factor of the first iteration, while there are no columns
+  /// @param reuse windows whose columns are kept besides the present one's
+  IqnIls(double first, int reuse) : first_(first), reuse_(reuse) {}
+
+  Eigen::VectorXd next(const Eigen::VectorXd& x, const Eigen::VectorXd& residual) override;
+  void end_window() override;
+
+  void save(StateWriter& state) const override;
+  void restore(StateReader& state) override;
+
+ private:
+  /// Between two iterations.
+  struct Change {
+    Eigen::VectorXd residual;
+    Eigen::VectorXd output;
+  };
+
+  double first_;
+  int reuse_;
+  std::deque<Change> changes_;                   // newest first
+  std::deque<int> counts_ = {0};                 // of changes in each window, newest first
+  Eigen::VectorXd last_residual_, last_output_;  // of the last iteration of this window
+};
+
+}  // namespace cosurge

@@ -1,0 +1,28 @@
+// What makes a fixed-point iteration converge.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+
+#include "common/state_bytes.hpp"
+#include "proto/case.pb.h"
+
+namespace cosurge {
+
+/// Solves g(x) = x from values alone. One window: next() for every iteration that has not converged, then
+/// end_window().
+class Relaxation {
+ public:
+  virtual ~Relaxation() = default;
+
+  /// The next x, from the last one and its residual r = g(x) - x.
+  virtual Eigen::VectorXd next(const Eigen::VectorXd& x, const Eigen::VectorXd& residual) = 0;
+  virtual void end_window() {}
+
+  virtual void save(StateWriter&) const {}
+  virtual void restore(StateReader&) {}
+};
+
+std::unique_ptr<Relaxation> make_relaxation(const v1::Iteration& iteration);
+
+}  // namespace cosurge

@@ -1,0 +1,38 @@
+// Coupling that is iterated within a window.
+#pragma once
+
+#include "coupler/scheme.hpp"
+#include "coupler/schemes/prediction.hpp"
+#include "coupler/schemes/strong/relaxation.hpp"
+
+namespace cosurge {
+
+/// Fluid and solid go through the window again and again, each time from its start, until the velocity that
+/// the solid answers is the one that the water saw, to a relative tolerance, and the load that it would get
+/// by that difference is the load that it got, to the same. The water sees the bodies where they were at the
+/// start of the window, in every iteration: so the free surface and the matrix of the pressure do not change,
+/// and the load is a smooth function of the velocity but for suction, which is cut off. Where the iterations
+/// run out, the last one counts, and the effort says so. Where nothing moves, one iteration is enough.
+class Strong : public Scheme {
+ public:
+  Strong(const v1::Coupling& coupling, Participants participants);
+
+  Reports advance(const Window& window, Surface& surface, InterfaceAccount& account) override;
+
+  const Effort& effort() const override { return effort_; }
+  const AddedMassRatio& ratio() const override { return ratio_; }
+  void save(StateWriter& state) const override;
+  void restore(StateReader& state) override;
+
+ private:
+  double tolerance_;
+  int iterations_;
+  Participants participants_;
+  Prediction prediction_;
+  std::unique_ptr<Relaxation> relaxation_;
+  Effort effort_;
+  AddedMassRatio ratio_;
+  double stiffness_ = -1;  // |df| / |dv|, the largest between iterations of the last window [N s/m]; -1: none
+};
+
+}  // namespace cosurge
