@@ -97,6 +97,13 @@ void encode_motion(const Surface& surface, v1::Motion& message) {
   message.clear_ramp_increment();
   if (!all_bits_zero(surface.ramp_increment))
     encode(surface.ramp_increment, *message.mutable_ramp_increment());
+  message.clear_modes();
+  for (const Mode& mode : surface.modes) {
+    v1::Mode& sent = *message.add_modes();
+    encode(mode.shape, *sent.mutable_shape());
+    sent.set_mobility(mode.mobility);
+    sent.set_load(mode.load);
+  }
 }
 
 void decode_motion(const v1::Motion& message, Surface& surface) {
@@ -106,6 +113,16 @@ void decode_motion(const v1::Motion& message, Surface& surface) {
     surface.ramp_increment.setZero();
   } else {
     decode(message.ramp_increment(), "ramp_increment", surface.ramp_increment);
+  }
+  surface.modes.clear();
+  for (const v1::Mode& sent : message.modes()) {
+    Mode mode{.shape = Field(surface.velocity.rows(), surface.velocity.cols()),
+              .mobility = sent.mobility(),
+              .load = sent.load()};
+    decode(sent.shape(), "shape of a mode", mode.shape);
+    require(std::isfinite(mode.load) && std::isfinite(mode.mobility) && mode.mobility >= 0,
+            "a mode has a mobility of {} and a load of {}", mode.mobility, mode.load);
+    surface.modes.push_back(std::move(mode));
   }
 }
 

@@ -15,7 +15,7 @@ void encode(const Interface& interface, v1::Interface& message);
 /// `bodies`: how many the case has.
 Interface decode(const v1::Interface& message, int dimension, int bodies);
 
-/// Displacement, velocity and, unless it is zero everywhere, the ramp increment.
+/// Displacement, velocity, modes and, unless it is zero everywhere, the ramp increment.
 void encode_motion(const Surface& surface, v1::Motion& message);
 /// Fills the motion of a surface that has its size already.
 void decode_motion(const v1::Motion& message, Surface& surface);

@@ -7,6 +7,7 @@ Surface Surface::at_rest(int dimension, Eigen::Index points) {
   return {.displacement = zero,
           .velocity = zero,
           .ramp_increment = zero,
+          .modes = {},
           .force = zero,
           .pressure = Eigen::VectorXd::Zero(points)};
 }

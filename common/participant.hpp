@@ -34,13 +34,22 @@ struct Interface {
   Eigen::Index points() const { return position.cols(); }
 };
 
+/// One of the structure's lowest modes: by another load, the velocity over the window becomes v + mobility
+/// (shape . force - load) shape.
+struct Mode {
+  Field shape;          ///< of the points for a unit of the mode [m]
+  double mobility = 0;  ///< of the velocity, for a unit of load on the mode [m/(N s)]
+  double load = 0;      ///< on the mode, that the motion was computed with [N]
+};
+
 /// What the solvers tell each other at the interface points: the solid fills the motion, the fluid the load.
 struct Surface {
   Field displacement;  ///< [m] at the end of the solid's last window
   Field velocity;      ///< [m/s] over the solid's last window: its mean, or that at the end, as the case says
   Field
       ramp_increment;  ///< [m] integral of velocity * (t - start) / size over the window; zero for held loads
-  Field force;         ///< [N] on the solid (per metre of width in two dimensions) = -pressure * area
+  std::vector<Mode> modes;   ///< of a motion that is predicted; none otherwise
+  Field force;               ///< [N] on the solid (per metre of width in two dimensions) = -pressure * area
   Eigen::VectorXd pressure;  ///< [Pa]
 
   static Surface at_rest(int dimension, Eigen::Index points);

@@ -35,6 +35,7 @@ bool Coupler::run(const std::vector<Observer*>& observers, const std::function<b
     for (const Report& report : reports) largest_ = std::min(largest_, report.window);
     schedule_.complete(window);
     if (!scheme_->effort().converged) ++unconverged_;
+    if (!scheme_->effort().note.empty()) notes_.push_back(scheme_->effort().note);
     const std::vector<double> own = values();
     for (Observer* observer : observers) observer->window(window, reports, own);
     if (schedule_.at_frame()) show_frame(observers);

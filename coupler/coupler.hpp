@@ -47,7 +47,8 @@ class Coupler {
   const Interface& interface() const { return interface_; }
   /// Of what the coupler itself reports of a window.
   std::vector<Column> columns() const;
-  std::uint64_t unconverged() const { return unconverged_; }  ///< windows whose iterations ran out
+  const std::vector<std::string>& notes() const { return notes_; }  ///< what the scheme has decided, and why
+  std::uint64_t unconverged() const { return unconverged_; }        ///< windows whose iterations ran out
   double time() const { return schedule_.time(); }
   std::uint64_t windows() const { return schedule_.windows(); }
 
@@ -64,7 +65,8 @@ class Coupler {
   std::unique_ptr<Scheme> scheme_;
   InterfaceAccount account_;
   std::uint64_t unconverged_ = 0;
-  double largest_ = 0;  // next window that all participants can do [s]
+  std::vector<std::string> notes_;  // since this coupler was made
+  double largest_ = 0;              // next window that all participants can do [s]
 };
 
 }  // namespace cosurge

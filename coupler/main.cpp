@@ -5,7 +5,9 @@
 #include "common/threads.hpp"
 #include "common/version.hpp"
 #include "coupler/check_command.hpp"
+#include "coupler/map_command.hpp"
 #include "coupler/run_command.hpp"
+#include "coupler/selftest_command.hpp"
 
 namespace {
 
@@ -67,6 +69,23 @@ int main(int argc, char** argv) {
       "check", "Validate a case and show what would run: particles, windows, memory, time");
   add_case(*check_app, check_path, check_overrides);
 
+  CLI::App* selftest_app = app.add_subcommand(
+      "selftest", "Water on a sprung piston against its exact frequency and limit of stability");
+
+  cosurge::MapOptions map;
+  CLI::App* map_app =
+      app.add_subcommand("map", "Run a case over a grid of its values, and say where it is stable");
+  add_case(*map_app, map.case_path, map.overrides);
+  map_app
+      ->add_option(
+          "--over", map.over,
+          "An axis of the grid: key.path=value,value,...; key/key=value/value,... changes keys together")
+      ->required()
+      ->take_all();
+  map_app->add_option("--out", map.out, "The table, CSV; a map that was interrupted goes on")->required();
+  map_app->add_option("--cores", map.cores, "Runs at a time; 0: one a core")->check(CLI::Range(0, 1024));
+  for (int k = 1; k < argc; ++k) map.note += (k > 1 ? " " : "cosurge ") + std::string(argv[k]);
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -74,6 +93,11 @@ int main(int argc, char** argv) {
   }
   try {
     if (*run_app) return cosurge::run_command(run);
+    if (*selftest_app) return cosurge::selftest_command();
+    if (*map_app) {
+      cosurge::map_command(map);
+      return 0;
+    }
     if (*resume_app) return cosurge::resume_command(resume);
     cosurge::check_command(check_path, check_overrides);
     return 0;

@@ -169,6 +169,7 @@ int run_with(Solvers& solvers, const v1::Case& the_case, const fs::path& folder,
   write_summary(folder, *recorder, outcome);
   fmt::print("{} at t = {:.6g} s after {} windows{}{}\n", outcome.status, coupler.time(), coupler.windows(),
              outcome.reason.empty() ? "" : ": ", outcome.reason);
+  for (const std::string& note : coupler.notes()) fmt::print("{}\n", note);
   if (coupler.unconverged() > 0)
     fmt::print("{} of {} windows did not converge in {} iterations: their last one counts\n",
                coupler.unconverged(), coupler.windows(), the_case.coupling().iteration().limit());

@@ -21,6 +21,7 @@ using Reports = std::vector<Report>;
 struct Effort {
   int iterations = 1;     ///< times that the fluid went through it
   double residual = 0;    ///< by how much the velocity that the water saw was wrong, relative
+  std::string note;       ///< what the scheme has decided after the window, and why; mostly nothing
   bool converged = true;  ///< false: a scheme that iterates has given up; the last iteration counts
 };
 

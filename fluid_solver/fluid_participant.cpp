@@ -32,6 +32,8 @@ class FluidParticipant::SceneOf : public Scene {
     Setup setup{.columns = {{"ppe_iterations", "-"},
                             {"ppe_residual", "-"},
                             {"ppe_unknowns", "-"},
+                            {"modes_iterations", "-"},
+                            {"modes_mass_ratio", "-"},
                             {"max_speed", "m/s"},
                             {"kinetic_energy", "J"},
                             {"gravity_energy", "J"},
@@ -57,6 +59,7 @@ class FluidParticipant::SceneOf : public Scene {
       mps_.move_bodies(surface.displacement, surface.velocity);
     else
       mps_.set_body_velocity(surface.velocity);
+    mps_.set_modes(surface.modes);
     const StepReport step = mps_.step(window.start, window.size, window.attempt);
     mps_.load(surface);
     const WaterState water = survey_water(mps_, particle_mass(), spacing(), gravity_);
@@ -64,6 +67,8 @@ class FluidParticipant::SceneOf : public Scene {
     report.values = {static_cast<double>(step.pressure.iterations),
                      step.pressure.relative_residual,
                      static_cast<double>(mps_.unknowns()),
+                     static_cast<double>(mps_.added_mass().iterations()),
+                     mps_.added_mass().ratio(),
                      step.max_speed,
                      water.kinetic_energy,
                      water.gravity_energy,

@@ -5,7 +5,6 @@
 
 #include "common/error.hpp"
 #include "common/ordered_sum.hpp"
-#include "common/state_bytes.hpp"
 #include "fluid_solver/buried_walls.hpp"
 #include "fluid_solver/operators.hpp"
 #include "fluid_solver/pressure/source.hpp"
@@ -103,7 +102,7 @@ StepReport Mps<dim>::step(double start, double dt, std::uint32_t attempt) {
     assemble(dt);
   else
     poisson_.set_source(source_);
-  const SolveReport pressure = solve_pressure(start, attempt > 0 ? precise : 1);
+  const SolveReport pressure = solve_pressure(start, dt, attempt > 0 ? precise : 1);
   correct(dt);  // u = u* - dt / rho grad p, x = x* + dt (u - u*)
   if (parameters_.shifting() > 0) shift(dt);
   StepReport report = survey(start + dt);
@@ -246,6 +245,21 @@ void Mps<dim>::set_source(double dt) {
   }
 }
 
+/// What the source changes by with the divergence of the velocity.
+template <int dim>
+double Mps<dim>::source_per_divergence(double dt) const {
+  const double rho = parameters_.density();
+  switch (parameters_.source()) {
+    case v1::Fluid::deviation:
+      return 0;
+    case v1::Fluid::mixed:
+      return (1 - parameters_.gamma()) * rho / dt;
+    case v1::Fluid::time_scale:
+      return rho * std::min(parameters_.propagation_speed() / parameters_.spacing(), 1 / dt);
+  }
+  return 0;
+}
+
 template <int dim>
 void Mps<dim>::assemble(double dt) {
   poisson_.assemble(particles_, neighbors_.grid(), source_, areas_, dt);
@@ -257,7 +271,7 @@ void Mps<dim>::assemble(double dt) {
 }
 
 template <int dim>
-SolveReport Mps<dim>::solve_pressure(double start, double precision) {
+SolveReport Mps<dim>::solve_pressure(double start, double dt, double precision) {
   clock_.enter(solving);
   const auto& unknowns = poisson_.unknowns();
   const v1::Pressure& choice = parameters_.pressure();
@@ -272,6 +286,16 @@ SolveReport Mps<dim>::solve_pressure(double start, double precision) {
         fmt::format("pressure: residual {:.2e} > {:.2e} after {} iterations at t = {:.6g} s; raise "
                     "fluid.pressure.max_iterations or lower time.window",
                     report.relative_residual, tolerance, report.iterations, start));
+  added_mass_.couple({.particles = particles_,
+                      .neighbors = neighbors_,
+                      .n0 = reference_.n0,
+                      .body_place = body_place_,
+                      .body_areas = body_areas_,
+                      .poisson = poisson_,
+                      .preconditioner = *preconditioner_,
+                      .source_per_divergence = source_per_divergence(dt),
+                      .dt = dt},
+                     pressure_);
   std::fill(particles_.p.begin(), particles_.p.end(), 0.0);
   for (std::size_t k = 0; k < unknowns.size(); ++k) particles_.p[unknowns[k]] = std::max(0.0, pressure_[k]);
   return report;
@@ -353,37 +377,6 @@ StepReport Mps<dim>::survey(double end) {
   return {.pressure = {},
           .max_speed = fastest,
           .max_window = std::min({advective, flight, viscous_limit, parameters_.courant() * gravity_limit})};
-}
-
-template <int dim>
-std::string Mps<dim>::save() const {
-  StateWriter state;
-  state.put(particles_.x);
-  state.put(particles_.u);
-  state.put(particles_.p);
-  state.put(particles_.n);
-  state.put(particles_.kind);
-  state.put(particles_.id);
-  state.put(particles_.free_surface);
-  state.put(body_areas_);
-  state.put(max_body_speed_);
-  return state.take();
-}
-
-template <int dim>
-void Mps<dim>::restore(const std::string& bytes) {
-  StateReader state(bytes);
-  state.get(particles_.x);
-  state.get(particles_.u);
-  state.get(particles_.p);
-  state.get(particles_.n);
-  state.get(particles_.kind);
-  state.get(particles_.id);
-  state.get(particles_.free_surface);
-  state.get(body_areas_);
-  state.get(max_body_speed_);
-  state.finish();
-  locate_bodies();
 }
 
 template class Mps<2>;

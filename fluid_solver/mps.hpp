@@ -5,6 +5,7 @@
 #include <string>
 
 #include "common/phase_clock.hpp"
+#include "fluid_solver/added_mass.hpp"
 #include "fluid_solver/bodies.hpp"
 #include "fluid_solver/collision.hpp"
 #include "fluid_solver/density.hpp"
@@ -42,6 +43,10 @@ class Mps {
   /// Gives the bodies' points another velocity where they are [m/s].
   void set_body_velocity(const Field& velocity);
 
+  /// How the bodies answer loads in the next step; it then makes the load that agrees with the answer.
+  void set_modes(const std::vector<Mode>& modes) { added_mass_.set_modes(modes); }
+  const AddedMass<dim>& added_mass() const { return added_mass_; }
+
   /// Load on the bodies' points by eq. (15): f = -P A. Fills force [N] and pressure [Pa].
   void load(Surface& surface) const;
 
@@ -67,7 +72,8 @@ class Mps {
   void diffuse_and_collide(double dt);
   void set_source(double dt);
   void assemble(double dt);
-  SolveReport solve_pressure(double start, double precision);
+  double source_per_divergence(double dt) const;
+  SolveReport solve_pressure(double start, double dt, double precision);
   Vec<dim> pressure_gradient(int i) const;
   void correct(double dt);
   void shift(double dt);
@@ -83,6 +89,7 @@ class Mps {
   Neighbors<dim> neighbors_;
   PoissonEquation<dim> poisson_;
   std::unique_ptr<Preconditioner> preconditioner_;
+  AddedMass<dim> added_mass_;
   PhaseClock<phase_count> clock_;
 
   double speed_bound_ = 0;  // [m/s]

@@ -19,6 +19,13 @@ struct NodalLoad {
   Field last;
 };
 
+/// A mode of vibration about the undeformed bodies.
+struct NodalMode {
+  Field shape;               ///< dimension x nodes
+  double mass = 1;           ///< [kg] of the mode
+  double omega_squared = 0;  ///< [1/s2]; 0 where nothing holds the body
+};
+
 struct Energies {
   double kinetic = 0;  ///< [J], per metre of width in two dimensions
   double elastic = 0;  ///< [J]
@@ -59,6 +66,9 @@ class SolidModel {
 
   virtual double max_speed() const = 0;  ///< [m/s] of the nodes
   virtual Energies energies() const = 0;
+
+  /// The lowest modes, at most `count` of each body, where the model knows them; none for others.
+  virtual std::vector<NodalMode> modes(int /*count*/) const { return {}; }
 
   /// Quantities of this model alone, reported after every window.
   virtual std::vector<Column> columns() const { return {}; }

@@ -9,6 +9,7 @@
 #include "common/state_bytes.hpp"
 #include "common/version.hpp"
 #include "solid_solver/models/make_model.hpp"
+#include "solid_solver/oscillator.hpp"
 
 namespace cosurge {
 namespace {
@@ -49,6 +50,8 @@ Setup SolidParticipant::initialize(const v1::Case& the_case, Interface& interfac
   if (interface.points() == 0) interface.position = Field::Zero(dimension_, 0);
   H_ = model_->interpolation(interface.position, interface.body);
   place_probes(the_case);
+  const auto scheme = the_case.coupling().scheme();
+  if (scheme == v1::Coupling::weak_inertial || scheme == v1::Coupling::auto_) find_modes(the_case, interface);
 
   const Surface loaded = surface;
   surface = Surface::at_rest(dimension_, interface.points());
@@ -78,6 +81,35 @@ void SolidParticipant::place_probes(const v1::Case& the_case) {
   probes_.H = model_->interpolation(Eigen::Map<const Field>(positions.data(), dimension_, count), bodies);
 }
 
+/// Those of the model, or of finite elements in its place where it does not know them.
+void SolidParticipant::find_modes(const v1::Case& the_case, const Interface& interface) {
+  const int count = the_case.coupling().modes();
+  const auto keep = [&](const SolidModel& model) {
+    const Interpolation H = model.interpolation(interface.position, interface.body);
+    for (const NodalMode& mode : model.modes(count))
+      modes_.push_back({mode.shape * H.transpose(), mode.mass, mode.omega_squared});
+  };
+  keep(*model_);
+  if (!modes_.empty() || the_case.solid().model() == v1::SolidModel::rigid) return;
+  v1::Case elements = the_case;
+  elements.mutable_solid()->set_model(v1::SolidModel::modal);
+  elements.mutable_solid()->mutable_modal()->set_modes(count);
+  keep(*make_model(elements));
+}
+
+/// By eq. (20): how each mode answers a load over the window, under a load as the points have it now.
+std::vector<Mode> SolidParticipant::modes(const Field& force, double window) const {
+  std::vector<Mode> answer;
+  for (const PointMode& mode : modes_) {
+    const std::array<double, 5> c = stumpff(mode.omega_squared * window * window);
+    const std::size_t order = 1 + (end_velocity_ ? 0 : 1) + (ramped_ ? 1 : 0);
+    answer.push_back({.shape = mode.shape,
+                      .mobility = window * c[order] / mode.mass,
+                      .load = mode.shape.cwiseProduct(force).sum()});
+  }
+  return answer;
+}
+
 Report SolidParticipant::advance(const Window& window, Surface& surface) {
   assert(surface.force.cols() == H_.rows());
   if (window.attempt == 1) remembered_ = save();
@@ -98,6 +130,7 @@ Report SolidParticipant::advance(const Window& window, Surface& surface) {
   surface.velocity =
       end_velocity_ ? model_->velocity() * H_.transpose() : Field(increment * H_.transpose() / window.size);
   surface.ramp_increment = late * H_.transpose();
+  surface.modes = window.attempt == 1 ? modes(surface.force, window.size) : std::vector<Mode>{};
   displacement_ = moved;
   load_ = new_load;
   clock_.leave();

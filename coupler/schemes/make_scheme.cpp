@@ -1,7 +1,9 @@
 #include <stdexcept>
 
+#include "coupler/schemes/auto.hpp"
 #include "coupler/schemes/strong/strong.hpp"
 #include "coupler/schemes/weak.hpp"
+#include "coupler/schemes/weak_inertial.hpp"
 
 namespace cosurge {
 
@@ -13,6 +15,10 @@ std::unique_ptr<Scheme> make_scheme(const v1::Coupling& coupling, Participants p
       return std::make_unique<Weak>(coupling, participants);
     case v1::Coupling::strong:
       return std::make_unique<Strong>(coupling, participants);
+    case v1::Coupling::weak_inertial:
+      return std::make_unique<WeakInertial>(participants);
+    case v1::Coupling::auto_:
+      return std::make_unique<Auto>(coupling, participants);
   }
   throw std::logic_error("unknown coupling scheme");
 }

@@ -13,7 +13,7 @@ class Prediction {
 
   /// For the next window; `velocity` is that of the last one.
   Field next(const Field& velocity, const Window& window) const {
-    if (order_ == v1::Coupling::last || size_ == 0) return velocity;
+    if (order_ == v1::Coupling::last || size_ == 0 || end_ != window.start) return velocity;
     return velocity + window.size / size_ * (velocity - before_);
   }
 
@@ -21,20 +21,24 @@ class Prediction {
   void passed(const Field& velocity, const Window& window) {
     before_ = velocity;
     size_ = window.size;
+    end_ = window.start + window.size;
   }
 
   void save(StateWriter& state) const {
     state.put(size_);
+    state.put(end_);
     put_sized(state, before_);
   }
   void restore(StateReader& state) {
     state.get(size_);
+    state.get(end_);
     get_sized(state, before_);
   }
 
  private:
   v1::Coupling::Prediction order_;
   double size_ = 0;  // of the last window [s]
+  double end_ = 0;   // of it [s]: nothing is extrapolated over windows that another scheme has gone through
   Field before_;     // velocity of the last window but one
 };
 

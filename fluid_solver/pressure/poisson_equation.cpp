@@ -124,9 +124,16 @@ void PoissonEquation<dim>::assemble(const Particles<dim>& particles, const CellG
 
 template <int dim>
 void PoissonEquation<dim>::set_source(const std::vector<double>& source) {
+  b_ = rows_of(source);
+  for (std::size_t k = 0; k < place_.size(); ++k) b_[k] += wall_[k];
+}
+
+template <int dim>
+std::vector<double> PoissonEquation<dim>::rows_of(const std::vector<double>& source) const {
   const double scale = reference_.lambda0 * reference_.n0 / (2 * dim);
-  b_.resize(place_.size());
-  for (std::size_t k = 0; k < place_.size(); ++k) b_[k] = -scale * source[place_[k]] + wall_[k];
+  std::vector<double> rows(place_.size());
+  for (std::size_t k = 0; k < place_.size(); ++k) rows[k] = -scale * source[place_[k]];
+  return rows;
 }
 
 template <int dim>

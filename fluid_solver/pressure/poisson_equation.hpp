@@ -33,6 +33,9 @@ class PoissonEquation {
   /// Another source for the matrix that is there.
   void set_source(const std::vector<double>& source);
 
+  /// The right-hand side of a source alone, without gravity at walls.
+  std::vector<double> rows_of(const std::vector<double>& source) const;
+
   const Matrix& matrix() const { return A_; }
   const std::vector<double>& right_hand_side() const { return b_; }
   const CellsOfUnknowns& cells() const { return cells_; }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <fstream>
 #include <functional>
 #include <iterator>
 #include <sstream>
@@ -169,6 +170,48 @@ TEST_F(Programs, AnInterruptedRunResumesToTheSameBits) {
   Program again({cosurge_program, "resume", folder("cut")}, scratch_.path() / "again.log");
   EXPECT_EQ(again.wait(patience), 1);
   EXPECT_NE(again.output().find("the run is finished"), std::string::npos) << again.output();
+}
+
+TEST_F(Programs, AnInterruptedRunWithTheAddedMassOfModesResumesToTheSameBits) {
+  const std::vector<std::string> words = {"--set", "coupling.scheme=weak_inertial", "coupling.velocity=end",
+                                          "fluid.source=mixed", "solid.model=modal"};
+  run("whole", words);
+  Program cut = start("cut", words);
+  ASSERT_TRUE(patiently([&] { return frames("cut") >= 3; }));
+  kill(cut.pid(), SIGINT);
+  ASSERT_EQ(cut.wait(patience), 130) << cut.output();
+  Program resumed({cosurge_program, "resume", folder("cut"), "--in-process"},
+                  scratch_.path() / "resumed.log");
+  ASSERT_EQ(resumed.wait(patience), 0) << resumed.output();
+  expect_same_bits(folder("whole"), folder("cut"));
+  double ratio = 0;
+  for (const double one : read_results(folder("whole")).at("/history/fluid/modes_mass_ratio"))
+    ratio = std::max(ratio, one);
+  EXPECT_GT(ratio, 0.05) << "the water must have reached the plate";
+}
+
+TEST_F(Programs, TheSelftestAgreesWithTheory) {
+  Program selftest({cosurge_program, "selftest"}, scratch_.path() / "selftest.log");
+  EXPECT_EQ(selftest.wait(patience), 0) << selftest.output();
+  EXPECT_EQ(selftest.output().find("FAILED"), std::string::npos);
+}
+
+TEST_F(Programs, AMapHasARowForEveryCellAndSaysWhatFailed) {
+  const fs::path table = folder("map.csv");
+  Program map({cosurge_program, "map", small_dam_break, "--set", "time.end=0.01", "solid.model=modal",
+               "--over", "coupling.scheme=weak,strong", "--over", "solid.density=1000,-1", "--out", table},
+              scratch_.path() / "map.log");
+  ASSERT_EQ(map.wait(patience), 0) << map.output();
+  std::ifstream file(table);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(file, line);) lines.push_back(line);
+  ASSERT_EQ(lines.size(), 6U);
+  EXPECT_TRUE(lines[0].starts_with("# cosurge map "));
+  EXPECT_TRUE(lines[1].starts_with("coupling.scheme,solid.density,state,"));
+  EXPECT_TRUE(lines[2].starts_with("weak,1000,stable,0.01,50,1.000,"));
+  EXPECT_TRUE(lines[3].starts_with("weak,-1,refused,"));
+  EXPECT_NE(lines[3].find("solid.density"), std::string::npos);
+  EXPECT_TRUE(lines[4].starts_with("strong,1000,stable,0.01,50,"));
 }
 
 TEST_F(Programs, AnInterruptedRunOfStrongCouplingResumesToTheSameBits) {

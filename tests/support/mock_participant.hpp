@@ -65,6 +65,7 @@ struct Piston {
   double gravity = 9.81;      // [m/s2]
   int points = 5;             // that share the area
   int substeps = 10;          // of the solid in a window
+  bool tells_mode = false;    // its motion, for schemes that take its added mass along
   bool ramped = false;        // load over a window
   bool end_velocity = false;  // of the piston, as the water sees it; otherwise the mean
 
@@ -92,8 +93,14 @@ inline std::unique_ptr<MockParticipant> water_column(const Piston& piston) {
   };
   fluid->on_advance = [piston, &last = fluid->state[0]](const Window& window, Surface& surface) {
     const double velocity = surface.velocity.row(1).mean();
-    const double pressure = piston.added_mass() * (piston.gravity + (velocity - last) / window.size);
+    double pressure = piston.added_mass() * (piston.gravity + (velocity - last) / window.size);
     last = velocity;
+    for (const Mode& mode : surface.modes) {  // one at most: f = f0 - m_a s (f - load) / dt
+      const double answer = piston.added_mass() * mode.mobility / window.size;
+      const double load = (-pressure + answer * mode.load) / (1 + answer);
+      last = velocity + mode.mobility * (load - mode.load);
+      pressure = -load;
+    }
     surface.pressure.setConstant(pressure);
     surface.force.row(1).setConstant(-pressure / piston.points);
     return Report{.values = {pressure}, .window = 1};
@@ -127,6 +134,12 @@ inline std::unique_ptr<MockParticipant> sprung_piston(const Piston& piston) {
     surface.displacement.row(1).setConstant(y);
     surface.velocity.row(1).setConstant(piston.end_velocity ? v : (y - before) / window.size);
     surface.ramp_increment.row(1).setConstant(piston.ramped ? late : 0);
+    surface.modes.clear();
+    if (piston.tells_mode && window.attempt == 1) {
+      Field shape = Field::Zero(surface.velocity.rows(), surface.velocity.cols());
+      shape.row(1).setOnes();
+      surface.modes.push_back({.shape = shape, .mobility = window.size / piston.mass, .load = load});
+    }
     return Report{.values = {y}, .window = 1};
   };
   return solid;

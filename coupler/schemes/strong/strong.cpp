@@ -28,7 +28,7 @@ Reports Strong::advance(const Window& window, Surface& surface, InterfaceAccount
   Surface before;  // of the last iteration
   Field velocity_before;
   Reports reports;
-  effort_ = {.iterations = 0, .residual = 0, .converged = false};
+  effort_ = {.iterations = 0, .residual = 0, .note = {}, .converged = false};
   while (!effort_.converged && effort_.iterations < iterations_) {
     Window attempt = window;
     attempt.attempt = static_cast<std::uint32_t>(++effort_.iterations);
@@ -36,6 +36,8 @@ Reports Strong::advance(const Window& window, Surface& surface, InterfaceAccount
     surface.velocity = velocity;
     reports = {participants_.fluid->advance(attempt, surface),
                participants_.solid->advance(attempt, surface)};
+    has_modes_ = has_modes_ || !surface.modes.empty();
+    surface.modes.clear();
     const Field residual = surface.velocity - velocity;
     effort_.residual = relative(residual.norm(), scale_of(surface.velocity, start.velocity));
     if (effort_.iterations > 1) {
@@ -62,6 +64,7 @@ void Strong::save(StateWriter& state) const {
   relaxation_->save(state);
   ratio_.save(state);
   state.put(stiffness_);
+  state.put(has_modes_);
 }
 
 void Strong::restore(StateReader& state) {
@@ -69,6 +72,7 @@ void Strong::restore(StateReader& state) {
   relaxation_->restore(state);
   ratio_.restore(state);
   state.get(stiffness_);
+  state.get(has_modes_);
 }
 
 }  // namespace cosurge

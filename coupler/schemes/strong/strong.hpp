@@ -19,6 +19,8 @@ class Strong : public Scheme {
 
   Reports advance(const Window& window, Surface& surface, InterfaceAccount& account) override;
 
+  bool has_modes() const { return has_modes_; }  ///< whether the solid tells modes
+
   const Effort& effort() const override { return effort_; }
   const AddedMassRatio& ratio() const override { return ratio_; }
   void save(StateWriter& state) const override;
@@ -30,6 +32,7 @@ class Strong : public Scheme {
   Participants participants_;
   Prediction prediction_;
   std::unique_ptr<Relaxation> relaxation_;
+  bool has_modes_ = false;
   Effort effort_;
   AddedMassRatio ratio_;
   double stiffness_ = -1;  // |df| / |dv|, the largest between iterations of the last window [N s/m]; -1: none

@@ -54,6 +54,21 @@ typename ModalModel<dim>::Vectors ModalModel<dim>::motion(double OscillatorState
 }
 
 template <int dim>
+std::vector<NodalMode> ModalModel<dim>::modes(int count) const {
+  std::vector<NodalMode> lowest;
+  for (std::size_t b = 0; b < modes_.size(); ++b)
+    for (Eigen::Index i = 0; i < std::min<Eigen::Index>(count, modes_[b].omega_squared.size()); ++i) {
+      Vectors shape;
+      for (const Modes& modes : modes_) shape.push_back(fem::Vector::Zero(modes.shapes.rows()));
+      shape[b] = modes_[b].shapes.col(i);
+      lowest.push_back({.shape = bodies_.to_nodes(shape),
+                        .mass = 1,
+                        .omega_squared = std::max(0.0, modes_[b].omega_squared[i])});
+    }
+  return lowest;
+}
+
+template <int dim>
 Energies ModalModel<dim>::energies() const {
   Energies sum;
   for (std::size_t b = 0; b < modes_.size(); ++b) {

@@ -34,6 +34,8 @@ class ModalModel : public SolidModel {
   double max_speed() const override { return bodies_.max_speed(motion(&OscillatorState::velocity)); }
   Energies energies() const override;
 
+  std::vector<NodalMode> modes(int count) const override;
+
   /// The assumption: small angles and strains.
   std::vector<Column> columns() const override {
     return {{"largest_rotation", "rad"}, {"largest_strain", "-"}};

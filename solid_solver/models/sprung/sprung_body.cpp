@@ -127,6 +127,27 @@ typename SprungBody<dim>::Nodal SprungBody<dim>::turned_arms() const {
 }
 
 template <int dim>
+std::vector<NodalMode> SprungBody<dim>::modes() const {
+  std::vector<NodalMode> all;
+  for (int k = 0; k < dim; ++k) {
+    const Translation& translation = translations_[static_cast<std::size_t>(k)];
+    if (!translation.free) continue;
+    Field shape = Field::Zero(dim, nodes);
+    shape.row(k).setOnes();
+    all.push_back({.shape = shape, .mass = mass_, .omega_squared = translation.stiffness / mass_});
+  }
+  if (turning_) {
+    Field shape = Field::Zero(dim, nodes);  // of the arms, by a small angle
+    shape(1, 1) = length_;
+    shape(0, 2) = -length_;
+    all.push_back({.shape = shape,
+                   .mass = turning_->inertia,
+                   .omega_squared = turning_->stiffness / turning_->inertia});
+  }
+  return all;
+}
+
+template <int dim>
 Field SprungBody<dim>::displacement() const {
   Nodal moved = turned_arms();
   for (int k = 0; k < dim; ++k)

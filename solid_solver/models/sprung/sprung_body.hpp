@@ -34,6 +34,9 @@ class SprungBody {
   /// the rotation: translations are exact in time.
   int advance(double window, const Nodal& first, const Nodal& last);
 
+  /// Its free motions, about where it is drawn.
+  std::vector<NodalMode> modes() const;
+
   Field displacement() const;  ///< [m]
   Field velocity() const;      ///< [m/s]
   Field ramp_increment() const { return ramp_increment_; }

@@ -56,6 +56,21 @@ Field SprungModel<dim>::displacement() const {
 }
 
 template <int dim>
+std::vector<NodalMode> SprungModel<dim>::modes(int count) const {
+  std::vector<NodalMode> all;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    std::vector<NodalMode> own = bodies_[b].modes();
+    own.resize(std::min(own.size(), static_cast<std::size_t>(count)));
+    for (NodalMode& mode : own) {
+      Field shape = Field::Zero(dim, nodes());
+      shape.middleCols(static_cast<Eigen::Index>(b) * per_body, per_body) = mode.shape;
+      all.push_back({.shape = shape, .mass = mode.mass, .omega_squared = mode.omega_squared});
+    }
+  }
+  return all;
+}
+
+template <int dim>
 Field SprungModel<dim>::velocity() const {
   Field all(dim, nodes());
   for (std::size_t b = 0; b < bodies_.size(); ++b)

@@ -26,6 +26,8 @@ class SprungModel : public SolidModel {
   double max_speed() const override;
   Energies energies() const override;
 
+  std::vector<NodalMode> modes(int count) const override;
+
   /// Total load on all bodies at the end of the window [N].
   std::vector<Column> columns() const override;
   std::vector<double> values() const override;

@@ -47,6 +47,27 @@ TEST(Surface, ComesBackBitForBit) {
   EXPECT_EQ(received.pressure, sent.pressure);
 }
 
+TEST(Surface, CarriesModesBitForBitAndRefusesThoseThatAreNoNumbers) {
+  Surface sent = random_surface(4);
+  sent.modes = {{.shape = Field::Random(2, 4), .mobility = 0.25, .load = -3},
+                {.shape = Field::Random(2, 4), .mobility = 0, .load = 0}};
+  v1::Motion motion;
+  encode_motion(sent, motion);
+  Surface received = random_surface(4);
+  decode_motion(motion, received);
+  ASSERT_EQ(received.modes.size(), 2U);
+  EXPECT_EQ(received.modes[0].shape, sent.modes[0].shape);
+  EXPECT_EQ(received.modes[0].mobility, 0.25);
+  EXPECT_EQ(received.modes[0].load, -3);
+  motion.mutable_modes(1)->set_mobility(nan);
+  EXPECT_THAT([&] { decode_motion(motion, received); },
+              ThrowsMessage<Error>(HasSubstr("a mode has a mobility of nan")));
+  sent.modes.clear();
+  encode_motion(sent, motion);
+  decode_motion(motion, received);
+  EXPECT_TRUE(received.modes.empty());
+}
+
 TEST(Surface, SparesTheRampIncrementWhereItIsZeroAndResetsItOnArrival) {
   Surface sent = random_surface(3);
   sent.ramp_increment.setZero();

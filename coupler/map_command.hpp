@@ -1,0 +1,38 @@
+// cosurge map: where a case is stable, over a grid of its values.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace cosurge {
+
+struct MapOptions {
+  std::string case_path;
+  std::vector<std::string> overrides;
+  std::vector<std::string>
+      over;          ///< "key.path=a,b,c": an axis; "key/key=a/b,c/d" changes several keys together
+  std::string out;   ///< the table, CSV; cells that it has already are not run again
+  std::string note;  ///< command that makes it, the table's first line
+  int cores = 0;     ///< runs at a time; 0: as many as the machine has
+};
+
+/// Runs every cell of the grid, each in a process of its own with one thread, without results of its own, and
+/// writes a row of the table for each: the values of the keys, then
+///   state          stable; growing: the load's alternation from window to window grows, or the scheme
+///   creates
+///                  more than a twentieth of the work that passes, but the run ends;
+///                  blown_up: it does not end; refused: no such case
+///   end            reached [s]
+///   windows, iterations (a window), unconverged (windows)
+///   ratio          largest estimate of the added-mass ratio
+///   alternation    rms change of the load between windows in the last quarter of the run over that in the
+///                  second
+///   created        work that the scheme has created over all work that passed, without signs
+///   frequency      of the first displacement probe's largest swing [Hz], by its passages through the mean
+///   amplitude      half the range of it in the last half of the run [m]
+///   seconds        processor time
+///   reason         of what did not end
+/// @throws Error for a wrong axis, and where the table cannot be written or is of another grid.
+void map_command(const MapOptions& options);
+
+}  // namespace cosurge

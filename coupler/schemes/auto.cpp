@@ -1,0 +1,68 @@
+#include "coupler/schemes/auto.hpp"
+
+namespace cosurge {
+namespace {
+
+// Half of the gain at which `weak` becomes unstable: -dg/dv is mu, mu / 2 and mu / 6 where mu may be 1, 2 and
+// 3 / 2 (docs/method.md, section 3).
+double bearable_gain(const v1::Coupling& coupling) {
+  const bool ramped_mean =
+      coupling.load() == v1::Coupling::ramped && coupling.velocity() == v1::Coupling::mean;
+  return ramped_mean ? 0.125 : 0.5;
+}
+
+constexpr double alternating = 1;  // of eq. (19); rounding alone makes 0.75
+
+}  // namespace
+
+Auto::Auto(const v1::Coupling& coupling, Participants participants)
+    : bearable_(bearable_gain(coupling)),
+      weak_(coupling, participants),
+      weak_inertial_(participants),
+      strong_(coupling, participants) {}
+
+Reports Auto::advance(const Window& window, Surface& surface, InterfaceAccount& account) {
+  const bool probe = choice_ == strong || window.index % probe_interval == 0;
+  Scheme& scheme = probe ? strong_ : current();
+  const Reports reports = scheme.advance(window, surface, account);
+  effort_ = scheme.effort();
+  if (probe || choice_ == weak_inertial) choose(window, strong_.has_modes());
+  return reports;
+}
+
+void Auto::choose(const Window& window, bool has_modes) {
+  const double gain = strong_.ratio().value();
+  quiet_ = gain > bearable_ / 2 ? 0 : quiet_ + 1;
+  alternating_ =
+      choice_ == weak_inertial && weak_inertial_.ratio().value() > alternating ? alternating_ + 1 : 0;
+  if (choice_ == weak && gain > bearable_) {
+    change_to(has_modes ? weak_inertial : strong, window,
+              fmt::format("an error of the velocity comes back {:.2f} times in a window; weak bears {:.2f}",
+                          gain, bearable_));
+  } else if (choice_ == weak_inertial && alternating_ >= loud_windows) {
+    change_to(strong, window, "the acceleration alternates in spite of the modes' added mass");
+  } else if (choice_ != weak && quiet_ >= quiet_windows) {
+    change_to(weak, window, fmt::format("an error of the velocity comes back {:.2f} times only", gain));
+  }
+}
+
+void Auto::change_to(Choice choice, const Window& window, const std::string& why) {
+  choice_ = choice;
+  quiet_ = alternating_ = 0;
+  if (choice == weak_inertial) weak_inertial_.forget_ratio();
+  constexpr std::array<const char*, 3> names = {"weak", "weak_inertial", "strong"};
+  effort_.note =
+      fmt::format("t = {:.6g} s: {} from here: {}", window.start + window.size, names[choice], why);
+}
+
+void Auto::save(StateWriter& state) const {
+  for (const Scheme* scheme : schemes_) scheme->save(state);
+  for (const int number : {choice_, quiet_, alternating_}) state.put(number);
+}
+
+void Auto::restore(StateReader& state) {
+  for (Scheme* scheme : schemes_) scheme->restore(state);
+  for (int* number : {&choice_, &quiet_, &alternating_}) state.get(*number);
+}
+
+}  // namespace cosurge

@@ -1,0 +1,52 @@
+// The cheapest scheme that is stable.
+#pragma once
+
+#include <array>
+
+#include "coupler/scheme.hpp"
+#include "coupler/schemes/strong/strong.hpp"
+#include "coupler/schemes/weak.hpp"
+#include "coupler/schemes/weak_inertial.hpp"
+
+namespace cosurge {
+
+/// Starts as `weak`. Every tenth window it goes through the window by `strong`, which measures by how much an
+/// error of the velocity comes back: the gain. Where the gain is beyond what `weak` bears, it goes on as
+/// `weak_inertial` where the solid tells its modes, and as `strong` where it does not, or where the
+/// acceleration alternates in spite of the modes. When the gain has been small for long, it is `weak` again.
+class Auto : public Scheme {
+ public:
+  Auto(const v1::Coupling& coupling, Participants participants);
+  Auto(const Auto&) = delete;
+  Auto& operator=(const Auto&) = delete;
+
+  Reports advance(const Window& window, Surface& surface, InterfaceAccount& account) override;
+
+  const Effort& effort() const override { return effort_; }
+  const AddedMassRatio& ratio() const override { return current().ratio(); }
+  void save(StateWriter& state) const override;
+  void restore(StateReader& state) override;
+
+  static constexpr int probe_interval = 10;  ///< windows
+  static constexpr int quiet_windows = 300;  ///< with a small gain, before it is `weak` again
+  static constexpr int loud_windows = 30;    ///< with an alternation, before `weak_inertial` is `strong`
+
+ private:
+  enum Choice : int { weak, weak_inertial, strong };
+
+  Scheme& current() const { return *schemes_[static_cast<std::size_t>(choice_)]; }
+  void choose(const Window& window, bool has_modes);
+  void change_to(Choice choice, const Window& window, const std::string& why);
+
+  double bearable_;  // gain
+  Weak weak_;
+  WeakInertial weak_inertial_;
+  Strong strong_;
+  std::array<Scheme*, 3> schemes_ = {&weak_, &weak_inertial_, &strong_};  // by Choice
+  int choice_ = weak;
+  int quiet_ = 0;        // windows with a small gain
+  int alternating_ = 0;  // windows in which the acceleration has alternated
+  Effort effort_;
+};
+
+}  // namespace cosurge

@@ -1,0 +1,47 @@
+// How a coupled run behaves, for tables that compare many.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "coupler/coupler.hpp"
+
+namespace cosurge {
+
+/// Watches the load's alternation, the work and one displacement.
+class Swing : public Observer {
+ public:
+  /// @param coupler whose run it watches
+  explicit Swing(const Coupler& coupler);
+
+  void window(const Window& window, const Reports& reports, const std::vector<double>& coupling) override;
+  void frame(double, const std::vector<Snapshot>&) override {}
+
+  std::size_t windows() const { return time_.size(); }
+  double end() const { return time_.empty() ? 0 : time_.back(); }  ///< [s]
+  double iterations() const;                                       ///< a window, the mean
+  double largest_ratio() const;                                    ///< of added mass, as estimated
+
+  /// rms change of the load from window to window in the last quarter of the run over that in the second.
+  double alternation() const;
+  double created() const;  ///< work that the scheme has created over all work that has passed, without signs
+
+  /// Of the first displacement probe's component that moves most, between the first and the last upward
+  /// passage through its mean over the second half of the run [Hz]; 0 where there are less than two.
+  double frequency() const;
+  double first_peak() const;  ///< instant of its largest value in a run of less than a period and a half [s]
+  double amplitude() const;   ///< half its range in the second half of the run [m]
+
+ private:
+  double mean_change(double from, double to) const;
+  const std::vector<double>& displacement() const;
+
+  std::size_t solid_ = 0;                // among the reports
+  std::vector<std::size_t> components_;  // columns of the probe
+  std::size_t dimension_;
+  std::vector<double> time_, work_, created_, iterations_, ratio_;
+  std::vector<std::vector<double>> force_;         // a component each
+  std::vector<std::vector<double>> displacement_;  // likewise
+};
+
+}  // namespace cosurge

@@ -1,0 +1,69 @@
+// The added mass of the structure's lowest modes.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "common/participant.hpp"
+#include "common/state_bytes.hpp"
+#include "fluid_solver/neighbors.hpp"
+#include "fluid_solver/pressure/poisson_equation.hpp"
+
+namespace cosurge::fluid {
+
+/// What a motion of modes needs of the pressure on the wet points, r modes and n points.
+struct ModalLoad {
+  Eigen::VectorXd pressure;  ///< of the motion that the structure has predicted, suction included [Pa]
+  Eigen::MatrixXd per_acceleration;  ///< n x r: by a unit acceleration of each mode [Pa s2]
+  Eigen::MatrixXd on_modes;          ///< r x n: load of a unit pressure on each mode [N/Pa]
+  Eigen::VectorXd
+      mobility;  ///< acceleration that a unit of load on each mode means for the window [1/(N s2)]
+  Eigen::VectorXd predicted;  ///< load on each mode that the predicted motion was computed with [N]
+};
+
+/// The accelerations c of the modes, beyond the predicted motion, that agree with the load of the pressure
+/// max(0, p + P c): c = S (B max(0, p + P c) - f), eq. (20). Newton's method; the matrix 1 - S B P is the one
+/// of the added mass, positive definite.
+Eigen::VectorXd consistent_accelerations(const ModalLoad& load);
+
+/// Solves for the pressure of the modes with the matrix of the step, each from its last pressure.
+template <int dim>
+class AddedMass {
+ public:
+  /// What a step has of its own.
+  struct Step {
+    Particles<dim>& particles;  ///< velocities are changed, and put back
+    const Neighbors<dim>& neighbors;
+    double n0;
+    const std::vector<std::int32_t>& body_place;  ///< of each body point among the particles
+    const std::vector<Vec<dim>>& body_areas;
+    const PoissonEquation<dim>& poisson;
+    Preconditioner& preconditioner;
+    double source_per_divergence;  ///< of the pressure equation's source [kg/(m3 s)]
+    double dt;
+  };
+
+  /// Of the window to come; none where the scheme does without.
+  void set_modes(const std::vector<Mode>& modes) { modes_ = modes; }
+
+  /// Changes the pressures of the unknowns, those of the predicted motion, to those that agree with the load
+  /// on the modes.
+  void couple(const Step& step, std::vector<double>& pressure);
+
+  double ratio() const { return ratio_; }  ///< of a mode's added mass to its mass in the window, the largest
+  int iterations() const { return iterations_; }  ///< of all modes' pressures in the last window
+
+  void save(StateWriter& state) const;
+  void restore(StateReader& state);
+
+ private:
+  std::vector<double> right_hand_side(const Step& step, const Field& shape) const;
+  std::vector<double> mode_pressure(const Step& step, std::size_t mode);
+
+  std::vector<Mode> modes_;
+  std::vector<std::vector<double>> last_;  // pressure of each mode by the particles' id
+  double ratio_ = 0;
+  int iterations_ = 0;
+};
+
+}  // namespace cosurge::fluid

@@ -1,0 +1,70 @@
+#include "fluid_solver/added_mass.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "fluid_solver/mps.hpp"
+#include "tests/support/water.hpp"
+
+namespace cosurge::fluid {
+namespace {
+
+/// Two points, one mode that moves both: per acceleration -m_a / 2 each.
+ModalLoad two_points(double pressure, double added_mass, double mobility) {
+  return {.pressure = Eigen::Vector2d::Constant(pressure),
+          .per_acceleration = Eigen::MatrixXd::Constant(2, 1, -added_mass / 2),
+          .on_modes = Eigen::MatrixXd::Ones(1, 2),
+          .mobility = Eigen::VectorXd::Constant(1, mobility),
+          .predicted = Eigen::VectorXd::Zero(1)};
+}
+
+TEST(ConsistentAccelerations, AreTheLoadOverMassAndAddedMass) {
+  // f = 2 p - m_a c and c = f / m: c = 2 p / (m + m_a).
+  for (const double added : {0.1, 1.0, 1000.0})
+    EXPECT_NEAR(consistent_accelerations(two_points(3, added, 1 / 2.0))[0], 6 / (2 + added), 1e-12);
+}
+
+TEST(ConsistentAccelerations, TakeNoSuctionIntoAccount) {
+  // The second point would be sucked at: p = max(0, -10 - m_a c / 2) there.
+  ModalLoad load = two_points(4, 6, 1 / 2.0);
+  load.pressure[1] = -10;
+  const double c = consistent_accelerations(load)[0];
+  EXPECT_NEAR(c, 4 / (2 + 3.0), 1e-12);  // the first point alone, half of the added mass
+}
+
+TEST(AddedMassOfAFloor, IsTheMassOfTheColumnAboveAndTheLoadAgreesWithTheAnswer) {
+  // Water 0.1 m wide and 0.2 m deep on a body from wall to wall that moves up and down.
+  constexpr double l0 = 0.005, mass = 2, rho_h = 20, height = 0.2, sound = 1000;
+  v1::Fluid fluid =
+      test::tank_of_water(l0, test::box_of({0, 0}, {0.1, 0.3}), {test::box_of({0, 0.02}, {0.1, 0.22})});
+  fluid.set_source(v1::Fluid::mixed);
+  const v1::Solid floor = test::solid_of(test::box_of({0, 0}, {0.1, 0.02}));
+  for (const double dt : {1e-3, 4e-3}) {
+    Mps<2> mps(fluid, &floor, Vec<2>(0, -9.81));
+    Surface surface = Surface::at_rest(2, mps.bodies().points());
+    Field up = Field::Zero(2, mps.bodies().points());
+    up.row(1).setOnes();
+    const double predicted = -rho_h * 9.81;
+    mps.set_modes({{.shape = up, .mobility = dt / mass, .load = predicted}});
+    // Predicted: that the floor falls with the water above, under a load as if it did not.
+    surface.velocity.row(1).setConstant(-9.81 * dt);
+    mps.move_bodies(surface.displacement, surface.velocity);
+    (void)mps.step(0, dt);
+    // alpha makes the pressure fade over c dt = dt / sqrt(rho alpha): p'' = p / (c dt)^2.
+    const double reach = sound * dt;
+    const double added = rho_h * reach / height * std::tanh(height / reach);
+    // gamma takes 1 %, the operator's reach into the body, where there is no row, 0.8 %; and the pressure
+    // belongs to particles half a spacing off: 2.5 % of the height.
+    EXPECT_NEAR(mps.added_mass().ratio(), added / mass, 0.05 * added / mass) << dt;
+    // The pressure of free fall is zero, so that the load is that of the answer alone: f = -m_a c and
+    // c = (f - predicted) / m.
+    mps.load(surface);
+    const double found = mass * mps.added_mass().ratio();
+    EXPECT_NEAR(surface.force.row(1).sum(), predicted * found / (mass + found), 0.01 * std::abs(predicted))
+        << dt;
+  }
+}
+
+}  // namespace
+}  // namespace cosurge::fluid
