@@ -4,6 +4,7 @@
 
 #include "common/threads.hpp"
 #include "common/version.hpp"
+#include "coupler/certify_command.hpp"
 #include "coupler/check_command.hpp"
 #include "coupler/map_command.hpp"
 #include "coupler/run_command.hpp"
@@ -29,6 +30,12 @@ void add_solvers(CLI::App& command, cosurge::RunOptions& options) {
                   "A solver that is not launched but awaited: fluid or solid, and where (solid=tcp://*:5555; "
                   "default: a socket on this machine). The command to start it is shown")
       ->take_all()
+      ->excludes(in_process);
+  command
+      .add_option(
+          "--solid", options.solid,
+          "A program of your own in place of solid_solver, with its arguments in one text; it is told "
+          "--connect and --threads (docs/write_your_own_solid.md)")
       ->excludes(in_process);
   command.add_option("--threads", options.threads, "Threads of the fluid solver; 0: one a core")
       ->check(CLI::Range(0, 1024))
@@ -72,6 +79,19 @@ int main(int argc, char** argv) {
   CLI::App* selftest_app = app.add_subcommand(
       "selftest", "Water on a sprung piston against its exact frequency and limit of stability");
 
+  cosurge::CertifyOptions certify;
+  std::string role = "solid";
+  CLI::App* certify_app = app.add_subcommand(
+      "certify", "Whether a solver program keeps the protocol: cosurge certify -- PROGRAM ARGUMENTS");
+  certify_app->add_option("command", certify.command, "The program and its arguments, after --")->required();
+  certify_app->add_option("--set", certify.overrides, "Values in place of the scene's (solid.model=fem)");
+  certify_app->add_option("--role", role, "What it solves")
+      ->check(CLI::IsMember({"fluid", "solid"}))
+      ->capture_default_str();
+  certify_app->add_option("--patience", certify.patience, "Longest wait for an answer [s]")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+
   cosurge::MapOptions map;
   CLI::App* map_app =
       app.add_subcommand("map", "Run a case over a grid of its values, and say where it is stable");
@@ -94,6 +114,10 @@ int main(int argc, char** argv) {
   try {
     if (*run_app) return cosurge::run_command(run);
     if (*selftest_app) return cosurge::selftest_command();
+    if (*certify_app) {
+      certify.role = role == "fluid" ? cosurge::Role::fluid : cosurge::Role::solid;
+      return cosurge::certify_command(certify);
+    }
     if (*map_app) {
       cosurge::map_command(map);
       return 0;

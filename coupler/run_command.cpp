@@ -3,7 +3,9 @@
 #include <atomic>
 #include <csignal>
 #include <filesystem>
+#include <iterator>
 #include <optional>
+#include <sstream>
 #include <thread>
 
 #include "common/case_file.hpp"
@@ -76,10 +78,14 @@ Solver start(const RunOptions& options, Role role, const fs::path& sockets, cons
     std::fflush(stdout);
     return solver;
   }
-  return Solver::process(
-      role, wiring,
-      {.program = beside_this_program(program), .arguments = {}, .log = folder / (program + ".log")},
-      threads);
+  Command command{
+      .program = beside_this_program(program), .arguments = {}, .log = folder / (program + ".log")};
+  if (!fluid && !options.solid.empty()) {
+    std::istringstream words(options.solid);
+    words >> command.program;
+    command.arguments.assign(std::istream_iterator<std::string>(words), {});
+  }
+  return Solver::process(role, wiring, command, threads);
 }
 
 /// The solvers of a case, started together and then welcomed.

@@ -1,0 +1,438 @@
+#include "coupler/certify_command.hpp"
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+
+#include "common/case_file.hpp"
+#include "common/convert.hpp"
+#include "common/lattice.hpp"
+#include "common/version.hpp"
+#include "coupler/launcher.hpp"
+
+namespace cosurge {
+namespace {
+
+constexpr double size = 1e-4;        // of the windows [s]
+constexpr double rounding = 1e-9;    // of what must be equal but for rounding
+constexpr double linear = 1e-3;      // of what must be equal where the structure is linear: loads are small
+constexpr double small_load = 1e-3;  // [N]
+constexpr std::chrono::seconds to_end{10};
+
+constexpr const char* scene = R"(title = "Certification"
+gravity = [0.0, 0.0]
+time = { end = 0.01, window = 1e-4 }
+[fluid]
+spacing = 0.004
+tank = { min = [0.0, 0.0], max = [0.3, 0.2] }
+water = [{ min = [0.0, 0.0], max = [0.1, 0.1] }]
+[solid]
+density = 2500.0
+young_modulus = 1e6
+[[solid.body]]
+box = { min = [0.148, 0.0], max = [0.16, 0.08] }
+clamp = [{ min = [0.148, -0.016], max = [0.16, 0.0] }]
+)";
+
+v1::Case scene_for(const CertifyOptions& options, const std::filesystem::path& folder) {
+  const auto file = folder / "case.toml";
+  std::ofstream(file) << scene;
+  std::vector<std::string> overrides = options.overrides;
+  if (options.role == Role::fluid) overrides.emplace_back("gravity.1=-9.81");
+  return load_case(file.string(), overrides);
+}
+
+/// The lattice points of the plate, with the areas of its sides and its top.
+Interface points_of_plate(const v1::Case& c) {
+  const Box<2> box(c.solid().body(0).box());
+  const double l0 = c.fluid().spacing();
+  const std::vector<Vec<2>> sites = fill(box, l0);
+  const auto count = static_cast<Eigen::Index>(sites.size());
+  Interface points{.dimension = 2, .position = Field(2, count), .area = Field::Zero(2, count), .body = {}};
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const Vec<2>& x = sites[static_cast<std::size_t>(k)];
+    points.position.col(k) = x;
+    points.area(0, k) = x[0] < box.min[0] + l0 ? -l0 : x[0] > box.max[0] - l0 ? l0 : 0;
+    points.area(1, k) = x[1] > box.max[1] - l0 ? l0 : 0;
+    points.body.push_back(0);
+  }
+  return points;
+}
+
+/// One start of the program, with which the coupler speaks as in a run.
+struct Trial {
+  explicit Trial(const CertifyOptions& options)
+      : the_case(scene_for(options, folder.path())),
+        solver(Solver::process(options.role,
+                               {.folder = folder.path(), .listen = {}, .patience = options.patience},
+                               {.program = options.command.front(),
+                                .arguments = {options.command.begin() + 1, options.command.end()},
+                                .log = folder.path() / "log"},
+                               1)),
+        participant(solver.join(2, {"save", "frame"})) {
+    if (options.role == Role::solid) points = points_of_plate(the_case);
+    surface = Surface::at_rest(2, points.points());
+    setup = participant.initialize(the_case, points, surface);
+    rest = surface;
+  }
+
+  /// Window `index`; where the program is a solid, with `load` times a fixed pattern of forces.
+  Surface advance(std::uint64_t index, double load, std::uint32_t attempt = 0) {
+    if (points.points() > 0 && participant.identity().role == Role::solid)
+      for (Eigen::Index k = 0; k < points.points(); ++k)
+        surface.force.col(k) << load * std::sin(1.0 + 0.3 * static_cast<double>(k)),
+            load * 0.5 * std::cos(0.7 * static_cast<double>(k));
+    Window window{.index = index, .start = static_cast<double>(index) * size, .size = size};
+    window.attempt = attempt;
+    report = participant.advance(window, surface);
+    return surface;
+  }
+
+  RunFolder folder;
+  v1::Case the_case;
+  Solver solver;
+  RemoteParticipant& participant;
+  Interface points;
+  Surface surface, rest;
+  Setup setup;
+  Report report;
+};
+
+/// Whether two answers are equal to the bit, and what differs.
+void expect_same(const Surface& a, const Surface& b, const std::string& what) {
+  require(a.displacement == b.displacement && a.velocity == b.velocity, "{}: another motion", what);
+  require(a.force == b.force && a.pressure == b.pressure, "{}: another load", what);
+}
+
+// Runs that are right
+
+void comes_and_goes(const CertifyOptions& options) {
+  Trial trial(options);
+  trial.participant.finalize();
+  require(trial.solver.stop("", to_end), "does not end without an error within {} s after Finalize",
+          to_end.count());
+}
+
+void starts_at_rest(const CertifyOptions& options) {
+  const Trial trial(options);
+  require(trial.rest.displacement.allFinite() && trial.rest.velocity.isZero(),
+          "moves before the first window");
+  require(trial.setup.window > 0, "allows no window");
+}
+
+void reports_what_it_announced(const CertifyOptions& options) {
+  Trial trial(options);
+  for (std::uint64_t n = 0; n < 20; ++n) {
+    trial.advance(n, small_load);
+    require(trial.report.values.size() == trial.setup.columns.size(), "{} values for {} columns",
+            trial.report.values.size(), trial.setup.columns.size());
+    for (const double value : trial.report.values) require(std::isfinite(value), "reports {}", value);
+  }
+}
+
+void shows_frames_of_one_kind(const CertifyOptions& options) {
+  Trial trial(options);
+  const Snapshot first = trial.participant.frame();
+  require(!first.empty(), "shows nothing");
+  trial.advance(0, small_load);
+  const Snapshot second = trial.participant.frame();
+  require(first.size() == second.size(), "shows {} arrays, then {}", first.size(), second.size());
+  for (std::size_t k = 0; k < first.size(); ++k)
+    require(first[k].name == second[k].name && first[k].values.size() == second[k].values.size(),
+            "array {} changes its name or length", first[k].name);
+}
+
+void goes_back_and_through_again(const CertifyOptions& options) {
+  Trial trial(options);
+  for (std::uint64_t n = 0; n < 3; ++n) trial.advance(n, small_load);
+  const Surface before = trial.surface;
+  const Surface first = trial.advance(3, small_load, 1);
+  trial.surface = before;
+  trial.advance(3, 2 * small_load, 2);
+  trial.surface = before;
+  expect_same(first, trial.advance(3, small_load, 3), "a third attempt with the load of the first");
+}
+
+void continues_from_a_saved_state(const CertifyOptions& options) {
+  Trial trial(options);
+  for (std::uint64_t n = 0; n < 3; ++n) trial.advance(n, small_load);
+  const std::string state = trial.participant.save();
+  const Surface then = trial.surface;
+  std::vector<Surface> whole;
+  for (std::uint64_t n = 3; n < 8; ++n) whole.push_back(trial.advance(n, small_load));
+  Trial fresh(options);
+  for (Trial* one : {&trial, &fresh}) {
+    one->participant.restore(state);
+    one->surface = then;
+    for (std::uint64_t n = 3; n < 8; ++n)
+      expect_same(whole[n - 3], one->advance(n, small_load),
+                  one == &fresh ? "in a fresh process" : "restored");
+  }
+}
+
+// Structures
+
+void stays_at_rest_without_load(const CertifyOptions& options) {
+  Trial trial(options);
+  for (std::uint64_t n = 0; n < 10; ++n) trial.advance(n, 0);
+  require((trial.surface.displacement - trial.rest.displacement).norm() == 0,
+          "moves without load or gravity");
+}
+
+/// Maxwell and Betti: what moves i for a load on j moves j for the same load on i. So loads go to the
+/// structure by the transpose of how its motion comes to the points.
+void answers_by_the_transpose(const CertifyOptions& options) {
+  const auto response = [&](Eigen::Index loaded) {
+    Trial trial(options);
+    trial.surface.force.setZero();
+    trial.surface.force(0, loaded) = small_load;
+    trial.report = trial.participant.advance({.index = 0, .start = 0, .size = size}, trial.surface);
+    return Field(trial.surface.displacement - trial.rest.displacement);
+  };
+  const Trial trial(options);
+  const Eigen::Index i = trial.points.points() - 1;
+  const Eigen::Index j = trial.points.points() / 2;
+  const Field by_i = response(i);
+  const Field by_j = response(j);
+  const double scale = std::max(std::abs(by_i(0, i)), std::abs(by_j(0, j)));
+  if (scale == 0) return;  // rigid
+  require(std::abs(by_i(0, j) - by_j(0, i)) <= linear * scale,
+          "a unit load at point {} moves point {} by {:.6g}, "
+          "the other way round {:.6g} m/N",
+          i, j, by_i(0, j) / small_load, by_j(0, i) / small_load);
+}
+
+/// The mean velocity is the displacement over the window, and the work that the solid reports is what the
+/// points have.
+void moves_and_works_consistently(const CertifyOptions& options) {
+  Trial trial(options);
+  double work = 0;
+  double gross = 0;
+  for (std::uint64_t n = 0; n < 20; ++n) {
+    const Field before = trial.surface.displacement;
+    trial.advance(n, small_load);
+    const Field step = trial.surface.displacement - before;
+    require((step - size * trial.surface.velocity).norm() <= rounding * (step.norm() + 1e-300),
+            "the velocity is not the mean over the window");
+    work += (trial.surface.force.array() * step.array()).sum();
+    gross += (trial.surface.force.array() * step.array()).abs().sum();
+  }
+  for (std::size_t k = 0; k < trial.setup.columns.size(); ++k)
+    if (trial.setup.columns[k].name == "interface_work")
+      require(std::abs(trial.report.values[k] - work) <= rounding * gross,
+              "reports a work of {:.12g} J, the points have {:.12g} J", trial.report.values[k], work);
+}
+
+// Runs that are wrong
+
+/// One start of the program, to which anything can be sent.
+class Abuse {
+ public:
+  explicit Abuse(const CertifyOptions& options, const std::string& token = new_token())
+      : channel_(Channel::listen(fmt::format("ipc://{}/wire", folder_.path().string()),
+                                 {.peer = "the program", .patience = options.patience})),
+        token_(token),
+        process_(start(options)) {
+    channel_.set_peer_ended([this] { return process_.ended(); });
+    channel_.receive(reply_, "its hello");
+    require(reply_.has_hello(), "its first message is no hello");
+  }
+
+  /// Sends a request with the next number, and receives the answer to it.
+  const v1::Reply& ask(v1::Request request) {
+    request.set_sequence(++sequence_);
+    channel_.send(request);
+    channel_.receive(reply_, "its answer");
+    return reply_;
+  }
+
+  void welcome() {
+    v1::Request request;
+    request.mutable_welcome()->set_protocol(protocol_version);
+    request.mutable_welcome()->set_program("cosurge");
+    request.mutable_welcome()->set_version(version);
+    request.mutable_welcome()->set_token(token_);
+    require(ask(request).has_done(), "does not answer Welcome with Done");
+  }
+
+  v1::Request initialize(const CertifyOptions& options) const {
+    v1::Request request;
+    const v1::Case c = scene_for(options, folder_.path());
+    *request.mutable_initialize()->mutable_the_case() = c;
+    if (options.role == Role::solid) {
+      const Interface points = points_of_plate(c);
+      encode(points, *request.mutable_initialize()->mutable_interface());
+      encode_load(Surface::at_rest(2, points.points()), *request.mutable_initialize()->mutable_load());
+    }
+    return request;
+  }
+
+  /// A window with what the program itself has said at the start.
+  v1::Request advance(const CertifyOptions& options) const {
+    v1::Request request;
+    encode(Window{.index = 0, .start = 0, .size = size}, *request.mutable_advance()->mutable_window());
+    const int numbers = options.role == Role::solid ? 2 * 3 * 20 : reply_.initialized().load().force_size();
+    if (options.role == Role::solid) {
+      request.mutable_advance()->mutable_load()->mutable_force()->Resize(numbers, 0.0);
+      request.mutable_advance()->mutable_load()->mutable_pressure()->Resize(numbers / 2, 0.0);
+    } else {
+      request.mutable_advance()->mutable_motion()->mutable_displacement()->Resize(numbers, 0.0);
+      request.mutable_advance()->mutable_motion()->mutable_velocity()->Resize(numbers, 0.0);
+    }
+    return request;
+  }
+
+  static google::protobuf::RepeatedField<double>& numbers_of(v1::Request& request) {
+    v1::Advance& advance = *request.mutable_advance();
+    return advance.has_load() ? *advance.mutable_load()->mutable_force()
+                              : *advance.mutable_motion()->mutable_velocity();
+  }
+
+  void send(v1::Request request, int skip = 0) {
+    request.set_sequence(sequence_ += 1 + static_cast<std::uint64_t>(skip));
+    channel_.send(request);
+  }
+  void send_bytes(const std::string& bytes) { channel_.send_bytes(bytes); }
+
+  /// The program must fail by itself within some seconds, with a Failure in words where `says_so`.
+  void expect_failure(bool says_so) {
+    try {
+      channel_.receive(reply_, "its Failure");
+      require(reply_.has_failure(), "goes on as if nothing were wrong");
+      require(!reply_.failure().what().empty(), "fails without a word");
+    } catch (const PeerLost&) {
+      require(!says_so, "ends without a Failure");
+    }
+    const auto start = std::chrono::steady_clock::now();
+    while (!process_.ended() && std::chrono::steady_clock::now() - start < to_end)
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    require(process_.ended().has_value(), "still runs {} s later", to_end.count());
+    require(!process_.stop(std::chrono::milliseconds(0)), "ends with exit code 0");
+  }
+
+ private:
+  SolverProcess start(const CertifyOptions& options) const {
+    const auto file = folder_.path() / "connection";
+    write_connection(
+        {.role = options.role, .endpoint = channel_.endpoint(), .token = token_, .server_key = {}}, file);
+    std::vector<std::string> arguments(options.command.begin() + 1, options.command.end());
+    arguments.insert(arguments.end(), {"--connect", file.string(), "--threads", "1"});
+    return SolverProcess(
+        {.program = options.command.front(), .arguments = arguments, .log = folder_.path() / "log"});
+  }
+
+  RunFolder folder_;
+  Channel channel_;
+  std::string token_;
+  SolverProcess process_;
+  std::uint64_t sequence_ = 0;
+  v1::Reply reply_;
+};
+
+void accepts_a_refusal(const CertifyOptions& options) {
+  Abuse abuse(options);
+  v1::Request request;
+  request.mutable_refuse()->set_reason("a test");
+  abuse.send(request);
+  abuse.expect_failure(false);
+}
+
+void obeys_an_abort(const CertifyOptions& options) {
+  Abuse abuse(options);
+  abuse.welcome();
+  v1::Request request;
+  request.mutable_abort()->set_reason("a test");
+  abuse.send(request);
+  abuse.expect_failure(false);
+}
+
+void refuses_a_window_before_the_start(const CertifyOptions& options) {
+  Abuse abuse(options);
+  abuse.welcome();
+  abuse.send(abuse.advance(options));
+  abuse.expect_failure(true);
+}
+
+void refuses_a_number_that_was_left_out(const CertifyOptions& options) {
+  Abuse abuse(options);
+  abuse.welcome();
+  abuse.send(abuse.initialize(options), 3);
+  abuse.expect_failure(true);
+}
+
+/// A window in which something is wrong with the numbers.
+void refuses_a_window_with(const CertifyOptions& options,
+                           const std::function<void(google::protobuf::RepeatedField<double>&)>& spoil) {
+  Abuse abuse(options);
+  abuse.welcome();
+  require(abuse.ask(abuse.initialize(options)).has_initialized(), "does not initialize");
+  v1::Request request = abuse.advance(options);
+  spoil(Abuse::numbers_of(request));
+  abuse.send(request);
+  abuse.expect_failure(true);
+}
+
+void refuses_what_is_no_number(const CertifyOptions& options) {
+  refuses_a_window_with(options,
+                        [](auto& numbers) { numbers.Set(3, std::numeric_limits<double>::quiet_NaN()); });
+}
+
+void refuses_a_wrong_length(const CertifyOptions& options) {
+  refuses_a_window_with(options, [](auto& numbers) { numbers.RemoveLast(); });
+}
+
+void survives_no_garbage(const CertifyOptions& options) {
+  Abuse abuse(options);
+  abuse.welcome();
+  abuse.send_bytes("\xff\xff\xff\xff no message");
+  abuse.expect_failure(false);
+}
+
+struct Check {
+  const char* what;
+  void (*run)(const CertifyOptions&);
+  bool of_solids = false;
+};
+
+constexpr Check checks[] = {
+    {"comes, is finalized, and ends without an error", comes_and_goes},
+    {"starts at rest and says its largest window", starts_at_rest},
+    {"reports as many finite values as it announced", reports_what_it_announced},
+    {"shows frames whose arrays keep name and length", shows_frames_of_one_kind},
+    {"goes back to the start of a window and through it again, to the same bits",
+     goes_back_and_through_again},
+    {"continues from a saved state to the same bits, also in a fresh process", continues_from_a_saved_state},
+    {"stays at rest without load", stays_at_rest_without_load, true},
+    {"takes loads by the transpose of its motion (Maxwell and Betti)", answers_by_the_transpose, true},
+    {"has the mean velocity, and the work that the points have", moves_and_works_consistently, true},
+    {"ends when it is refused", accepts_a_refusal},
+    {"ends when the run is aborted", obeys_an_abort},
+    {"refuses a window before the initialization, in words", refuses_a_window_before_the_start},
+    {"refuses a request whose number is not the next, in words", refuses_a_number_that_was_left_out},
+    {"refuses a number that is none, in words", refuses_what_is_no_number},
+    {"refuses a field of the wrong length, in words", refuses_a_wrong_length},
+    {"ends when it gets what is no message", survives_no_garbage},
+};
+
+}  // namespace
+
+int certify_command(const CertifyOptions& options) {
+  int failed = 0;
+  for (const Check& check : checks) {
+    if (check.of_solids && options.role != Role::solid) continue;
+    std::string trouble;
+    try {
+      check.run(options);
+    } catch (const std::exception& error) {
+      trouble = error.what();
+    }
+    failed += trouble.empty() ? 0 : 1;
+    fmt::print("{}  {}{}{}\n", trouble.empty() ? "passed" : "FAILED", check.what, trouble.empty() ? "" : ": ",
+               trouble);
+    std::fflush(stdout);
+  }
+  fmt::print("{}\n", failed == 0 ? "certified" : fmt::format("{} checks failed", failed));
+  return failed == 0 ? 0 : 1;
+}
+
+}  // namespace cosurge

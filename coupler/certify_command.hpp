@@ -1,0 +1,23 @@
+// cosurge certify: whether a solver program keeps the protocol (docs/protocol.md).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/participant.hpp"
+
+namespace cosurge {
+
+struct CertifyOptions {
+  std::vector<std::string> command;    ///< the program and its arguments; --connect and --threads are added
+  std::vector<std::string> overrides;  ///< of the scene's case: solid.model=fem
+  Role role = Role::solid;
+  double patience = 30;  ///< longest wait for an answer [s]
+};
+
+/// Starts the program again and again, leads it through runs that are right and runs that are wrong, and
+/// prints one line a check. A solid gets the points of a plate of 12 mm x 80 mm, a fluid has to make its own
+/// in a small dam break. Returns 0 when all hold, 1 otherwise.
+int certify_command(const CertifyOptions& options);
+
+}  // namespace cosurge
