@@ -122,7 +122,7 @@ TEST(ForeignSolid, MovesInTheDamBreakAndWorksAsItsPointsDo) {
 TEST(ForeignSolid, ThatIsKilledIsReportedLikeAnyOther) {
   const ScratchFolder scratch;
   Program program = run_with_plate(scratch.path(), "0.4");
-  ASSERT_TRUE(program.says("t 0.0", patience)) << program.output();
+  ASSERT_TRUE(program.says("t 0.", patience)) << program.output();
   for (const auto& [pid, name] : children_of(program.pid()))
     if (name == "plate.py") kill(pid, SIGKILL);
   EXPECT_EQ(program.wait(20), 1) << program.output();
