@@ -16,7 +16,7 @@ namespace {
 
 constexpr double rounding = 1e-9;  // s: rows of the checkpoint's own window are at its time, to the bit
 
-std::string signature() { return std::string("cosurge checkpoint ") + version; }
+std::string signature() { return fmt::format("cosurge checkpoint {}", version); }
 
 std::vector<double> column(const H5::H5File& file, const std::string& name) {
   const H5::DataSet dataset = file.openDataSet(name);
