@@ -59,6 +59,8 @@ Mps<dim>::Mps(const v1::Fluid& fluid, const v1::Solid* solid, const Vec<dim>& gr
   const double fall = 2 * (tank.max - tank.min).maxCoeff();
   const double sound = 1 / std::sqrt(fluid.density() * fluid.compressibility());
   speed_bound_ = gravity.norm() > 0 ? 10 * std::sqrt(2 * gravity.norm() * fall) : sound;
+  const Box<dim> domain = walls_.domain();
+  nowhere_ = domain.max + (domain.max - domain.min);
   search_neighbors(0);
   const Field at_rest = Field::Zero(dim, bodies_.points());
   move_bodies(at_rest, at_rest);
@@ -171,10 +173,9 @@ void Mps<dim>::predict(double start, double dt) {
 template <int dim>
 void Mps<dim>::search_neighbors(double time) {
   clock_.enter(searching);
-  const Box<dim> domain = walls_.domain();
-  const Vec<dim> nowhere = domain.max + (domain.max - domain.min);
   for (int i = 0; i < particles_.size(); ++i)
-    if (particles_.kind[i] == Kind::fluid && walls_.outside(particles_.x[i], time)) particles_.x[i] = nowhere;
+    if (particles_.kind[i] == Kind::fluid && walls_.outside(particles_.x[i], time))
+      particles_.x[i] = nowhere_;
   neighbors_.rebuild(particles_);
   locate_bodies();
 }
@@ -219,7 +220,7 @@ void Mps<dim>::diffuse_and_collide(double dt) {
 /// pressure for it.
 template <int dim>
 void Mps<dim>::set_source(double dt) {
-  const double rate = std::min(parameters_.propagation_speed() / parameters_.spacing(), 1 / dt);
+  const double k = rate(dt);
   const auto source = [&](const SourceInput& in) {
     switch (parameters_.source()) {
       case v1::Fluid::deviation:
@@ -227,7 +228,7 @@ void Mps<dim>::set_source(double dt) {
       case v1::Fluid::mixed:
         return mixed_source(in, parameters_.gamma());
       case v1::Fluid::time_scale:
-        return time_scale_source(in, rate);
+        return time_scale_source(in, k);
     }
     return 0.0;
   };
@@ -245,6 +246,12 @@ void Mps<dim>::set_source(double dt) {
   }
 }
 
+/// Of the source `time_scale`: k of eq. (6c) [1/s].
+template <int dim>
+double Mps<dim>::rate(double dt) const {
+  return std::min(parameters_.propagation_speed() / parameters_.spacing(), 1 / dt);
+}
+
 /// What the source changes by with the divergence of the velocity.
 template <int dim>
 double Mps<dim>::source_per_divergence(double dt) const {
@@ -255,7 +262,7 @@ double Mps<dim>::source_per_divergence(double dt) const {
     case v1::Fluid::mixed:
       return (1 - parameters_.gamma()) * rho / dt;
     case v1::Fluid::time_scale:
-      return rho * std::min(parameters_.propagation_speed() / parameters_.spacing(), 1 / dt);
+      return rho * rate(dt);
   }
   return 0;
 }

@@ -63,6 +63,8 @@ class Mps {
   void restore(const std::string& state);
 
  private:
+  template <typename Self, typename Visit>
+  static void each_field(Self& self, Visit&& visit);
   void add_water(const v1::Solid* solid);
   void advance_to_pressure(double start, double dt);
   void return_to_pressure();
@@ -72,6 +74,7 @@ class Mps {
   void diffuse_and_collide(double dt);
   void set_source(double dt);
   void assemble(double dt);
+  double rate(double dt) const;
   double source_per_divergence(double dt) const;
   SolveReport solve_pressure(double start, double dt, double precision);
   Vec<dim> pressure_gradient(int i) const;
@@ -92,6 +95,7 @@ class Mps {
   AddedMass<dim> added_mass_;
   PhaseClock<phase_count> clock_;
 
+  Vec<dim> nowhere_;        // outside the domain: what has gone through a wall is put there, and drops out
   double speed_bound_ = 0;  // [m/s]
   double max_body_speed_ = 0;
   int first_body_id_ = 0;

@@ -3,18 +3,25 @@
 
 namespace cosurge::fluid {
 
+/// Visits all that a state has besides the added mass, in its order.
+template <int dim>
+template <typename Self, typename Visit>
+void Mps<dim>::each_field(Self& self, Visit&& visit) {
+  visit(self.particles_.x);
+  visit(self.particles_.u);
+  visit(self.particles_.p);
+  visit(self.particles_.n);
+  visit(self.particles_.kind);
+  visit(self.particles_.id);
+  visit(self.particles_.free_surface);
+  visit(self.body_areas_);
+  visit(self.max_body_speed_);
+}
+
 template <int dim>
 std::string Mps<dim>::save() const {
   StateWriter state;
-  state.put(particles_.x);
-  state.put(particles_.u);
-  state.put(particles_.p);
-  state.put(particles_.n);
-  state.put(particles_.kind);
-  state.put(particles_.id);
-  state.put(particles_.free_surface);
-  state.put(body_areas_);
-  state.put(max_body_speed_);
+  each_field(*this, [&](const auto& field) { state.put(field); });
   added_mass_.save(state);
   return state.take();
 }
@@ -22,15 +29,7 @@ std::string Mps<dim>::save() const {
 template <int dim>
 void Mps<dim>::restore(const std::string& bytes) {
   StateReader state(bytes);
-  state.get(particles_.x);
-  state.get(particles_.u);
-  state.get(particles_.p);
-  state.get(particles_.n);
-  state.get(particles_.kind);
-  state.get(particles_.id);
-  state.get(particles_.free_surface);
-  state.get(body_areas_);
-  state.get(max_body_speed_);
+  each_field(*this, [&](auto& field) { state.get(field); });
   added_mass_.restore(state);
   state.finish();
   locate_bodies();

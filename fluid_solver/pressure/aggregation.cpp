@@ -100,10 +100,7 @@ auto Aggregation::first_level(const Matrix& A, const CellsOfUnknowns& cells) con
     level.diagonal[a] = static_cast<float>(diagonal);
     return end - begin;
   };
-  const auto room = [&](std::int64_t entries) {
-    level.column.resize(static_cast<std::size_t>(entries));
-    level.weight.resize(static_cast<std::size_t>(entries));
-  };
+  const auto room = [&](std::int64_t entries) { level.make_room(entries); };
   level.rows.fill(cells.size(), cells.lines_per_cell * 5, widest, room, fill);
   return level;
 }
@@ -141,10 +138,7 @@ auto Aggregation::next_level(const Level& fine) -> Level {
     level.diagonal[a] = diagonal;
     return kept - begin;
   };
-  const auto room = [&](std::int64_t entries) {
-    level.column.resize(static_cast<std::size_t>(entries));
-    level.weight.resize(static_cast<std::size_t>(entries));
-  };
+  const auto room = [&](std::int64_t entries) { level.make_room(entries); };
   level.rows.fill(static_cast<int>(level.cell.size()), widest / 4, widest, room, fill);
   return level;
 }

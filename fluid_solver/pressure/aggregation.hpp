@@ -36,6 +36,10 @@ class Aggregation : public Preconditioner {
     std::vector<std::int32_t> aggregate;  // of each unknown of the finer level
     std::vector<float> r, x, t;
     int size() const { return static_cast<int>(diagonal.size()); }
+    void make_room(std::int64_t entries) {
+      column.resize(static_cast<std::size_t>(entries));
+      weight.resize(static_cast<std::size_t>(entries));
+    }
   };
 
   Level first_level(const Matrix& A, const CellsOfUnknowns& cells) const;

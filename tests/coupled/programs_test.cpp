@@ -47,6 +47,9 @@ class Programs : public ::testing::Test {
     }
   }
 
+  /// Runs to the end as `whole`, and as `cut`, which is interrupted and resumed; expects the same bits.
+  void run_whole_and_cut(const std::vector<std::string>& arguments);
+
   void SetUp() override { H5::Exception::dontPrint(); }
 
   static bool patiently(const std::function<bool()>& reached) {
@@ -74,6 +77,18 @@ void expect_same_bits(const fs::path& first, const fs::path& second) {
     ASSERT_EQ(std::memcmp(values.data(), others.data(), sizeof(double) * values.size()), 0)
         << name << " differs";
   }
+}
+
+void Programs::run_whole_and_cut(const std::vector<std::string>& arguments) {
+  run("whole", arguments);
+  Program cut = start("cut", arguments);
+  ASSERT_TRUE(patiently([&] { return frames("cut") >= 3; }));
+  kill(cut.pid(), SIGINT);
+  ASSERT_EQ(cut.wait(patience), 130) << cut.output();
+  Program resumed({cosurge_program, "resume", folder("cut"), "--in-process"},
+                  scratch_.path() / "resumed.log");
+  ASSERT_EQ(resumed.wait(patience), 0) << resumed.output();
+  expect_same_bits(folder("whole"), folder("cut"));
 }
 
 TEST_F(Programs, ThreeProcessesAndOneGiveTheSameBits) {
@@ -175,15 +190,7 @@ TEST_F(Programs, AnInterruptedRunResumesToTheSameBits) {
 TEST_F(Programs, AnInterruptedRunWithTheAddedMassOfModesResumesToTheSameBits) {
   const std::vector<std::string> words = {"--set", "coupling.scheme=weak_inertial", "coupling.velocity=end",
                                           "fluid.source=mixed", "solid.model=modal"};
-  run("whole", words);
-  Program cut = start("cut", words);
-  ASSERT_TRUE(patiently([&] { return frames("cut") >= 3; }));
-  kill(cut.pid(), SIGINT);
-  ASSERT_EQ(cut.wait(patience), 130) << cut.output();
-  Program resumed({cosurge_program, "resume", folder("cut"), "--in-process"},
-                  scratch_.path() / "resumed.log");
-  ASSERT_EQ(resumed.wait(patience), 0) << resumed.output();
-  expect_same_bits(folder("whole"), folder("cut"));
+  run_whole_and_cut(words);
   double ratio = 0;
   for (const double one : read_results(folder("whole")).at("/history/fluid/modes_mass_ratio"))
     ratio = std::max(ratio, one);
@@ -218,15 +225,7 @@ TEST_F(Programs, AnInterruptedRunOfStrongCouplingResumesToTheSameBits) {
   const std::vector<std::string> strong = {"--set", "coupling.scheme=strong",
                                            "coupling.prediction=extrapolated", "fluid.source=mixed",
                                            "solid.model=modal"};
-  run("whole", strong);
-  Program cut = start("cut", strong);
-  ASSERT_TRUE(patiently([&] { return frames("cut") >= 3; }));
-  kill(cut.pid(), SIGINT);
-  ASSERT_EQ(cut.wait(patience), 130) << cut.output();
-  Program resumed({cosurge_program, "resume", folder("cut"), "--in-process"},
-                  scratch_.path() / "resumed.log");
-  ASSERT_EQ(resumed.wait(patience), 0) << resumed.output();
-  expect_same_bits(folder("whole"), folder("cut"));
+  run_whole_and_cut(strong);
   const nlohmann::json coupling = read_summary(folder("whole")).at("coupling");
   EXPECT_GT(coupling.at("most_iterations"), 2);
   EXPECT_EQ(coupling.at("unconverged"), 0);
