@@ -7,7 +7,6 @@
 #include "common/ordered_sum.hpp"
 #include "fluid_solver/buried_walls.hpp"
 #include "fluid_solver/operators.hpp"
-#include "fluid_solver/pressure/source.hpp"
 
 namespace cosurge::fluid {
 namespace {
@@ -98,12 +97,8 @@ StepReport Mps<dim>::step(double start, double dt, std::uint32_t attempt) {
     predicted_x_ = particles_.x;
     predicted_u_ = particles_.u;
   }
-  clock_.enter(assembling);
+  if (attempt <= 1) assemble(dt);
   set_source(dt);
-  if (attempt <= 1)
-    assemble(dt);
-  else
-    poisson_.set_source(source_);
   const SolveReport pressure = solve_pressure(start, dt, attempt > 0 ? precise : 1);
   correct(dt);  // u = u* - dt / rho grad p, x = x* + dt (u - u*)
   if (parameters_.shifting() > 0) shift(dt);
@@ -215,61 +210,10 @@ void Mps<dim>::diffuse_and_collide(double dt) {
   for (int i = 0; i < particles_.size(); ++i) particles_.u[i] += change_[i];
 }
 
-/// Right-hand side S of the pressure equation for each particle, by the case's choice. But for the paper's
-/// source, the deviation counts for the water only: a wall cannot move to mend its own, and would keep a
-/// pressure for it.
-template <int dim>
-void Mps<dim>::set_source(double dt) {
-  const double k = rate(dt);
-  const auto source = [&](const SourceInput& in) {
-    switch (parameters_.source()) {
-      case v1::Fluid::deviation:
-        return deviation_source(in, parameters_.gamma());
-      case v1::Fluid::mixed:
-        return mixed_source(in, parameters_.gamma());
-      case v1::Fluid::time_scale:
-        return time_scale_source(in, k);
-    }
-    return 0.0;
-  };
-  const bool paper = parameters_.source() == v1::Fluid::deviation;
-  const Vec<dim> kick = dt * gravity_;
-  source_.resize(static_cast<std::size_t>(particles_.size()));
-#pragma omp parallel for schedule(dynamic, Rows::chunk)
-  for (int i = 0; i < particles_.size(); ++i) {
-    if (!has_pressure(particles_.kind[i]) || particles_.free_surface[i] != 0) continue;
-    source_[i] = source(
-        {.density = parameters_.density(),
-         .dt = dt,
-         .deviation = paper || particles_.kind[i] == Kind::fluid ? particles_.n[i] / reference_.n0 - 1 : 0,
-         .divergence = paper ? 0 : divergence(particles_, neighbors_, i, reference_.n0, kick)});
-  }
-}
-
-/// Of the source `time_scale`: k of eq. (6c) [1/s].
-template <int dim>
-double Mps<dim>::rate(double dt) const {
-  return std::min(parameters_.propagation_speed() / parameters_.spacing(), 1 / dt);
-}
-
-/// What the source changes by with the divergence of the velocity.
-template <int dim>
-double Mps<dim>::source_per_divergence(double dt) const {
-  const double rho = parameters_.density();
-  switch (parameters_.source()) {
-    case v1::Fluid::deviation:
-      return 0;
-    case v1::Fluid::mixed:
-      return (1 - parameters_.gamma()) * rho / dt;
-    case v1::Fluid::time_scale:
-      return rho * rate(dt);
-  }
-  return 0;
-}
-
 template <int dim>
 void Mps<dim>::assemble(double dt) {
-  poisson_.assemble(particles_, neighbors_.grid(), source_, areas_, dt);
+  clock_.enter(assembling);
+  poisson_.assemble(particles_, neighbors_.grid(), areas_, dt);
   const auto& unknowns = poisson_.unknowns();
   pressure_.resize(unknowns.size());
   for (std::size_t k = 0; k < unknowns.size(); ++k) pressure_[k] = particles_.p[unknowns[k]];  // warm start

@@ -74,6 +74,8 @@ class Mps {
   void diffuse_and_collide(double dt);
   void set_source(double dt);
   void assemble(double dt);
+  double near_deviation(int i) const;
+  double unbiased_deviation(int i, double smooth) const;
   double rate(double dt) const;
   double source_per_divergence(double dt) const;
   SolveReport solve_pressure(double start, double dt, double precision);

@@ -14,6 +14,7 @@ ReferenceValues reference_values(double re, double spacing) {
   const int reach_z = dim == 3 ? reach : 0;
   double sum_w = 0;
   double sum_r2w = 0;
+  double smooth = 1;
   for (int k = -reach_z; k <= reach_z; ++k) {
     for (int j = -reach; j <= reach; ++j) {
       for (int i = -reach; i <= reach; ++i) {
@@ -22,10 +23,11 @@ ReferenceValues reference_values(double re, double spacing) {
         if (r >= re * (1 - edge)) continue;
         sum_w += weight(r, re);
         sum_r2w += r * r * weight(r, re);
+        smooth += smooth_share(weight(r, re));
       }
     }
   }
-  return {.n0 = sum_w, .lambda0 = sum_r2w / sum_w};
+  return {.n0 = sum_w, .lambda0 = sum_r2w / sum_w, .smooth0 = smooth};
 }
 
 template ReferenceValues reference_values<2>(double, double);

@@ -6,6 +6,7 @@ namespace cosurge::fluid {
 struct ReferenceValues {
   double n0;       ///< number density, eq. (2) [-]
   double lambda0;  ///< Laplacian coefficient sum(r^2 w) / sum(w), eq. (3) [m2]
+  double smooth0;  ///< smooth density, eq. (2b), the particle itself counted [-]
 };
 
 /// Sums over the neighbours of a site of the infinite square or cubic lattice; `re` and `spacing` in metres.

@@ -6,4 +6,12 @@ namespace cosurge::fluid {
 /// Eq. (1): w = r_e / r - 1 for r < r_e, else 0 (Koshizuka & Oka 1996, doi 10.13182/NSE96-A24205).
 inline double weight(double r, double re) { return r < re ? re / r - 1.0 : 0.0; }
 
+/// Eq. (2b): share of a neighbour in the smooth density, (1 - r / r_e)^2, from its weight of eq. (1). Finite
+/// for near pairs, hence hardly moved by disorder.
+template <typename Number>
+Number smooth_share(Number w) {
+  const Number rest = w / (w + 1);
+  return rest * rest;
+}
+
 }  // namespace cosurge::fluid

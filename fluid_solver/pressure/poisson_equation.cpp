@@ -95,8 +95,7 @@ void PoissonEquation<dim>::list_cells(const CellGrid<dim>& grid, int reach) {
 
 template <int dim>
 void PoissonEquation<dim>::assemble(const Particles<dim>& particles, const CellGrid<dim>& grid,
-                                    const std::vector<double>& source, const std::vector<Vec<dim>>& areas,
-                                    double dt) {
+                                    const std::vector<Vec<dim>>& areas, double dt) {
   const int reach = static_cast<int>(std::ceil(parameters_.re * (1 - 1e-9) / grid.cell_size()));
   number_unknowns(particles, grid);
   list_cells(grid, reach);
@@ -105,12 +104,16 @@ void PoissonEquation<dim>::assemble(const Particles<dim>& particles, const CellG
   const Assembly assembly{.particles = particles, .grid = grid, .areas = areas, .reach = reach};
   A_.diagonal.resize(place_.size());
   wall_.resize(place_.size());
+  deviation_.resize(place_.size());
   const auto fill = [&](int k, std::int64_t begin) {
     const Row row = fill_row(assembly, k, begin);
     double weights = 0;
     for (int lane = 0; lane < Matrix::lanes; ++lane) weights += row.weights[lane];
     A_.diagonal[k] = stiffness + row.diagonal + weights;
     wall_[k] = row.wall;
+    double smooth = 1 + row.others;
+    for (int lane = 0; lane < Matrix::lanes; ++lane) smooth += static_cast<double>(row.smooth[lane]);
+    deviation_[k] = row.diagonal > 0 ? std::nan("") : smooth / reference_.smooth0 - 1;
     return row.end - begin;
   };
   const auto room = [&](std::int64_t blocks) {
@@ -119,7 +122,6 @@ void PoissonEquation<dim>::assemble(const Particles<dim>& particles, const CellG
   };
   A_.rows.fill(static_cast<int>(place_.size()), expected_blocks(dim),
                most_entries(dim) / Matrix::lanes + cells_.lines_per_cell, room, fill);
-  set_source(source);
 }
 
 template <int dim>
@@ -194,6 +196,7 @@ void PoissonEquation<dim>::append_blocks(int first, int count, const float* weig
     std::memcpy(A_.weight.data() + row.end * Matrix::lanes, &block, sizeof block);
     A_.first[row.end++] = first + from - shift;
     row.weights += __builtin_convertvector(block, Doubles);
+    row.smooth += smooth_share(block);
     left &= ~(std::uint64_t{(1U << Matrix::lanes) - 1} << from);
   }
 }
@@ -213,6 +216,7 @@ void PoissonEquation<dim>::hide_behind_bodies(const Assembly& assembly, int firs
                         (particles.kind[j] == Kind::body_surface && behind<dim>(assembly.areas[j], -x_ij, r));
     if (!hidden) continue;
     row.wall += static_cast<double>(weights[k]) * parameters_.density * parameters_.gravity.dot(x_ij);
+    row.others += smooth_share(static_cast<double>(weights[k]));
     weights[k] = 0;
   }
 }
@@ -233,10 +237,12 @@ void PoissonEquation<dim>::add_others(const Assembly& assembly, int first, int l
     const bool wall = !has_pressure(particles.kind[j]) ||
                       (on_body && behind<dim>(assembly.areas[row.i], x_ij, r)) ||
                       (particles.kind[j] == Kind::body_surface && behind<dim>(assembly.areas[j], -x_ij, r));
-    if (wall)
+    if (wall) {
       row.wall += w * parameters_.density * parameters_.gravity.dot(x_ij);
-    else
+      row.others += smooth_share(w);
+    } else {
       row.diagonal += w;
+    }
   }
 }
 

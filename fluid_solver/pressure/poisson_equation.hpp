@@ -25,13 +25,19 @@ class PoissonEquation {
  public:
   explicit PoissonEquation(const PoissonParameters<dim>& parameters);
 
-  /// Builds matrix and right-hand side. `source` is S for each particle [kg/(m3 s2)], `areas` the area
-  /// vectors of the particles on body surfaces (others are not looked at), both by place.
-  void assemble(const Particles<dim>& particles, const CellGrid<dim>& grid, const std::vector<double>& source,
+  /// Builds the matrix. `areas` are the area vectors of the particles on body surfaces (others are not looked
+  /// at), by place.
+  void assemble(const Particles<dim>& particles, const CellGrid<dim>& grid,
                 const std::vector<Vec<dim>>& areas, double dt);
 
-  /// Another source for the matrix that is there.
+  /// Builds the right-hand side for the matrix that is there; `source` is S for each particle, by place
+  /// [kg/(m3 s2)].
   void set_source(const std::vector<double>& source);
+
+  /// Deviation of each unknown's smooth density, eq. (2b) with the radius of the Laplacian, from that of the
+  /// lattice, over the latter [-]; NaN where the free surface lies within the radius: missing water cannot be
+  /// told from thin water there.
+  const std::vector<double>& deviation() const { return deviation_; }
 
   /// The right-hand side of a source alone, without gravity at walls.
   std::vector<double> rows_of(const std::vector<double>& source) const;
@@ -57,6 +63,8 @@ class PoissonEquation {
     Doubles weights{};    ///< sums of weights, by lane
     double diagonal = 0;  ///< of the free surface
     double wall = 0;      ///< of the Neumann terms
+    Floats smooth{};      ///< sums of shares in the smooth density, by lane
+    double others = 0;    ///< the same, of what is no unknown or hidden behind a body
   };
 
   void number_unknowns(const Particles<dim>& particles, const CellGrid<dim>& grid);
@@ -73,6 +81,7 @@ class PoissonEquation {
   Matrix A_;
   std::vector<double> b_;
   std::vector<double> wall_;  // of the Neumann terms, in b_
+  std::vector<double> deviation_;
   CellsOfUnknowns cells_;
   std::vector<std::int32_t> place_;  // of each unknown
   std::vector<std::int32_t> rank_;   // unknowns in lower places than this one, for each place and the end

@@ -29,7 +29,10 @@ struct Column {
     assemble();
   }
 
-  void assemble() { equation.assemble(cloud.particles, cloud.neighbors.grid(), source, {}, dt); }
+  void assemble() {
+    equation.assemble(cloud.particles, cloud.neighbors.grid(), {}, dt);
+    equation.set_source(source);
+  }
 
   const Matrix& A() const { return equation.matrix(); }
   const std::vector<double>& b() const { return equation.right_hand_side(); }

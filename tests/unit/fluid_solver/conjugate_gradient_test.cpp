@@ -160,7 +160,8 @@ TEST(Iterations, GroupsWithoutAFreeSurfaceAreSolvedToo) {
                                  .density = 1000,
                                  .compressibility = 1e-9,
                                  .gravity = {0, 0}});
-    equation.assemble(particles, neighbors.grid(), Vector(particles.x.size(), 1.0), {}, 1e-4);
+    equation.assemble(particles, neighbors.grid(), {}, 1e-4);
+    equation.set_source(Vector(particles.x.size(), 1.0));
     v1::Pressure choice;
     choice.set_preconditioner(word);
     const auto M = make_preconditioner(choice);

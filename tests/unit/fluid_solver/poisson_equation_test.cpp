@@ -54,7 +54,8 @@ struct Tank {
     for (int i = 0; i < cloud.particles.size(); ++i)
       if (cloud.particles.id[i] >= first_body)
         areas[i] = interface.area.col(cloud.particles.id[i] - first_body);
-    equation.assemble(cloud.particles, cloud.neighbors.grid(), std::vector<double>(size, 0.0), areas, dt);
+    equation.assemble(cloud.particles, cloud.neighbors.grid(), areas, dt);
+    equation.set_source(std::vector<double>(size, 0.0));
   }
 
   Box<dim> domain(const SceneParameters& p) const {
@@ -272,8 +273,7 @@ TEST(PoissonEquation, SourcesEnterWithTheScaleOfTheLaplacian) {
   Tank<2> tank({});
   const auto before = tank.equation.right_hand_side();
   const auto size = static_cast<std::size_t>(tank.cloud.particles.size());
-  tank.equation.assemble(tank.cloud.particles, tank.cloud.neighbors.grid(), std::vector<double>(size, 7.0),
-                         tank.areas, dt);
+  tank.equation.set_source(std::vector<double>(size, 7.0));
   const ReferenceValues reference = reference_values<2>(4 * l0, l0);
   for (std::size_t k = 0; k < before.size(); ++k)
     EXPECT_NEAR(tank.equation.right_hand_side()[k] - before[k], -7.0 * reference.lambda0 * reference.n0 / 4,
