@@ -17,7 +17,6 @@ import csv
 import hashlib
 import json
 import pathlib
-import subprocess
 import sys
 
 import h5py
@@ -26,6 +25,9 @@ from scipy.optimize import curve_fit
 from scipy.signal import butter, sosfiltfilt
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT / "scripts"))
+from study import Run, Study, core_seconds  # noqa: E402
+
 RUNS = ROOT / "build/accuracy"
 GRAVITY, DENSITY = 9.81, 1000.0
 CUT_OFF = 70.0  # Hz, of the low-pass for impact pressures: the published study's
@@ -35,26 +37,14 @@ SCHEMES = [("deviation", "p_min"), ("deviation", "corrected"), ("mixed", "conser
 
 
 def run(case, settings, threads):
-    """Folder of the finished run of `case` with `settings` ({key: value})."""
-    words = [f"{key}={value}" for key, value in settings.items()]
-    folder = RUNS / f"{case}_{hashlib.sha1(' '.join(words).encode()).hexdigest()[:12]}"
-    summary = folder / "summary.json"
-    if not (summary.exists() and json.loads(summary.read_text())["status"] == "finished"):
-        print(f"{case} {' '.join(words)}", file=sys.stderr, flush=True)
-        command = [ROOT / "build/release/bin/cosurge", "run", ROOT / "cases" / case, "--out", folder, "--threads",
-                   str(threads), "--set", *words]
-        subprocess.run(["rm", "-rf", folder], check=True)
-        subprocess.run(command, check=False, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    return folder
-
-
-def status(folder):
-    summary = folder / "summary.json"
-    return json.loads(summary.read_text()) if summary.exists() else {"status": "failed"}
-
-
-def core_seconds(summary):
-    return sum(part["seconds"]["cpu"] for part in summary["participants"].values())
+    """Folder and summary of the run of `case` with `settings` ({key: value}), finished or failed."""
+    words = " ".join(f"{key}={value}" for key, value in settings.items())
+    one = Run(f"{case}_{hashlib.sha1(words.encode()).hexdigest()[:12]}", case, settings)
+    study = Study(RUNS, threads=threads)
+    if study.summary(one) is None:
+        print(f"{case} {words}", file=sys.stderr, flush=True)
+    study.execute([one])
+    return study.folder_of(one), study.summary(one) or {"status": "failed"}
 
 
 def wall_error(file, frame, water, spacing):
@@ -67,20 +57,20 @@ def wall_error(file, frame, water, spacing):
     return np.sqrt(np.mean(error**2)) / (DENSITY * GRAVITY * depth)
 
 
-def density_at_floor(file, frame, water, spacing):
-    """Mean n / n0 of the water within four spacings above the floor, off the side walls."""
-    x, n, kind = (file[f"frames/fluid/{name}"][frame] for name in ("position", "number_density", "kind"))
-    (left, _), (right, _) = water
-    deep = (kind == 0) & (x[:, 1] < 4 * spacing) & (x[:, 0] > left + 4 * spacing) & (x[:, 0] < right - 4 * spacing)
-    return n[deep].mean()
+def volume(file, frame, spacing, low, high):
+    """Area of the box over that of the water in it, each particle a cell of l0 x l0: 1 where the water has its density,
+    more where it has swollen."""
+    x, kind = (file[f"frames/fluid/{name}"][frame] for name in ("position", "kind"))
+    sides = np.minimum(x[kind == 0] + spacing / 2, high) - np.maximum(x[kind == 0] - spacing / 2, low)
+    return np.prod(np.subtract(high, low)) / np.prod(np.clip(sides, 0, None), axis=1).sum()
 
 
 def hydrostatic(threads):
     for source, gradient in SCHEMES:
         for window in (2e-4, 1e-4):
-            folder = run("hydrostatic", {"fluid.source": source, "fluid.gradient": gradient, "time.window": window,
-                                         "time.end": 5, "output.frame_interval": 0.05}, threads)
-            summary = status(folder)
+            settings = {"fluid.source": source, "fluid.gradient": gradient, "time.window": window, "time.end": 5,
+                        "output.frame_interval": 0.05}
+            folder, summary = run("hydrostatic", settings, threads)
             row = {"source": source, "gradient": gradient, "window_s": window, "status": summary["status"]}
             if summary["status"] == "finished":
                 with h5py.File(folder / "results.h5") as file:
@@ -95,7 +85,7 @@ def hydrostatic(threads):
                         "kinetic_over_weight_energy_4_to_5_s":
                             history["kinetic_energy"][after].mean() / history["gravity_energy"][0],
                         "level_drift": history["gravity_energy"][after].mean() / history["gravity_energy"][0] - 1,
-                        "n_over_n0_at_floor": density_at_floor(file, -1, water, case["spacing"]),
+                        "volume": volume(file, -1, case["spacing"], (water[0][0], 0), (water[1][0], 0.9 * water[1][1])),
                     }
                 row["core_s"] = core_seconds(summary)
             yield row
@@ -110,8 +100,7 @@ def impact(folder):
         front = file["history/fluid/front"][:]
         p = file["history/fluid/P01"][:]
         frame = int(np.searchsorted(file["frames/time"][:], 0.1 - 1e-9))
-        water = case["fluid"]["water"][0]["min"], case["fluid"]["water"][0]["max"]
-        density = density_at_floor(file, frame, water, case["fluid"]["spacing"])
+        swollen = volume(file, frame, case["fluid"]["spacing"], (0.012, 0.012), (0.1, 0.06))
         force = file["history/coupling/force_x"][:]
     even = np.arange(time[0], time[-1], 2e-5)
     p_even = np.interp(even, time, p)
@@ -124,14 +113,13 @@ def impact(folder):
         "impulse_P01_to_0.3s_Pa_s": np.trapezoid(p[within], time[within]) if hasattr(np, "trapezoid")
         else np.trapz(p[within], time[within]),
         "impulse_plate_to_0.3s_N_s": np.sum(force[within] * np.diff(time, prepend=0)[within]),
-        "n_over_n0_at_floor_0.1s": density,
+        "volume_0.1s": swollen,
     }
 
 
 def dam_break(settings, threads):
     """Row of a dam break on the rigid plate to 0.35 s."""
-    folder = run("dam_break_rigid", settings | {"time.end": 0.35, "output.frame_interval": 0.05}, threads)
-    summary = status(folder)
+    folder, summary = run("dam_break_rigid", settings | {"time.end": 0.35, "output.frame_interval": 0.05}, threads)
     row = {"status": summary["status"]}
     if summary["status"] == "finished":
         row |= impact(folder) | {"windows": summary["windows"], "core_s": core_seconds(summary)}
@@ -170,9 +158,9 @@ def damped_wave(time, height):
 def wave(threads):
     for source, gradient in SCHEMES:
         for spacing in (0.025, 0.0125, 0.00625):
-            folder = run("standing_wave", {"fluid.source": source, "fluid.gradient": gradient, "fluid.spacing": spacing,
-                                           "fluid.tank.max": "[1.0, 0.8]", "time.window": spacing / 12.5}, threads)
-            summary = status(folder)
+            settings = {"fluid.source": source, "fluid.gradient": gradient, "fluid.spacing": spacing,
+                        "fluid.tank.max": "[1.0, 0.8]", "time.window": spacing / 12.5}
+            folder, summary = run("standing_wave", settings, threads)
             row = {"source": source, "gradient": gradient, "spacing_m": spacing, "status": summary["status"]}
             if summary["status"] == "finished":
                 with h5py.File(folder / "results.h5") as file:

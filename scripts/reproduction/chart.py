@@ -1,0 +1,95 @@
+"""The speed-accuracy chart: error against core seconds, one point a setting."""
+import csv
+
+import numpy as np
+
+import runs
+from figures import plt
+
+MEASURES = {"tip_peak_m": "tip, largest", "tip_rms": "tip, history", "P01_peak": "P01, filtered peak",
+            "P02_peak": "P02, filtered peak", "P01_impulse_first": "P01, impulse of the blow"}
+
+
+def tip_rms(history, truth):
+    """Root mean square of the difference of two tip histories, over the largest of the truth's."""
+    time = np.arange(0, min(history.time[-1], truth.time[-1], runs.CHART_END), 1e-4)
+    difference = np.interp(time, history.time, history.tip) - np.interp(time, truth.time, truth.tip)
+    return np.sqrt(np.mean(difference**2)) / np.abs(truth.tip).max()
+
+
+def truth_of(numbers, scene):
+    """The finest run with the recommended settings."""
+    names = [f"chart_{scene}_recommended_{size}mm" for size in ("1", "2")]
+    if scene == "1MPa":
+        names.insert(0, "verification_recommended_0.5mm")
+    return next((name for name in names if name in numbers.rows), None)
+
+
+def points(numbers, scene):
+    """Rows of the chart: setting, core seconds, errors."""
+    truth = truth_of(numbers, scene)
+    rows = []
+    for name, row in numbers.rows.items():
+        if truth is None or name == truth or not name.startswith(f"chart_{scene}_"):
+            continue
+        errors = {key: abs(row[key] / numbers.rows[truth][key] - 1) for key in MEASURES if key != "tip_rms"}
+        errors["tip_rms"] = tip_rms(numbers.histories[name], numbers.histories[truth])
+        rows.append({"scene": scene, "setting": name.removeprefix(f"chart_{scene}_"), "core_s": row["core_s"], **errors})
+    return truth, sorted(rows, key=lambda row: row["core_s"])
+
+
+def pareto(rows, key):
+    """Those that nothing cheaper beats."""
+    best, front = np.inf, []
+    for row in rows:
+        if row[key] < best:
+            best = row[key]
+            front.append(row)
+    return front
+
+
+def scatter_of(numbers, key):
+    """Relative standard deviation between perturbed starts of the 20 MPa plate at 2 mm."""
+    values = [row[key] for name, row in numbers.rows.items() if name.startswith("scatter_recommended_20MPa_")]
+    return np.std(values, ddof=1) / np.mean(values) if len(values) > 1 else 0.0
+
+
+def draw(rows, numbers, scene, truth):
+    figure, grid = plt.subplots(1, len(MEASURES), layout="constrained", figsize=(4.2 * len(MEASURES), 4.4))
+    for axes, (key, title) in zip(grid, MEASURES.items()):
+        spread = scatter_of(numbers, key) if key != "tip_rms" else 0
+        for row in rows:
+            axes.errorbar(row["core_s"], row[key], yerr=spread, fmt="o", ms=4, color="0.35", ecolor="0.8", elinewidth=1)
+        front = pareto(rows, key)
+        axes.plot([row["core_s"] for row in front], [row[key] for row in front], "-", color="tab:orange", lw=1.2)
+        for row in rows:
+            weight = "bold" if row in front else "normal"
+            axes.annotate(row["setting"], (row["core_s"], row[key]), fontsize=6, weight=weight, xytext=(3, 3),
+                          textcoords="offset points")
+        axes.set(xscale="log", xlabel="core seconds", title=title, ylabel="error", ylim=(0, None))
+    figure.suptitle(f"{scene}: error against {truth}, over cost; bars: scatter between perturbed starts; "
+                    "line: nothing cheaper is nearer")
+    return figure
+
+
+def write(numbers, out):
+    """Draws the chart and writes chart.csv; returns the part of the page."""
+    parts, all_rows = [], []
+    for scene in runs.SCENES:
+        truth, rows = points(numbers, scene)
+        if len(rows) < 3:
+            continue
+        all_rows += rows
+        figure = draw(rows, numbers, scene, truth)
+        figure.savefig(out / f"chart_{scene}.png", dpi=90)
+        plt.close(figure)
+        parts.append(f"![speed and accuracy, {scene}](chart_{scene}.png)\n")
+    if not parts:
+        return ""
+    with open(out / "chart.csv", "w", newline="") as file:
+        file.write("# scripts/reproduce chart scatter verification\n")
+        writer = csv.DictWriter(file, list(all_rows[0]), lineterminator="\n")
+        writer.writeheader()
+        for row in all_rows:
+            writer.writerow({key: f"{value:.4g}" if isinstance(value, float) else value for key, value in row.items()})
+    return "\n".join(["## Speed against accuracy\n", *parts])

@@ -1,0 +1,104 @@
+"""The paper's numbers from a run: Cp = P / (rho g H), tau = t sqrt(g / H), e = thickness of the plate."""
+import json
+
+import h5py
+import numpy as np
+from scipy.signal import butter, sosfiltfilt
+
+GRAVITY, DENSITY, HEIGHT, THICKNESS = 9.81, 1000.0, 0.292, 0.012
+PRESSURE = DENSITY * GRAVITY * HEIGHT  # Pa, Cp = 1
+RATE = np.sqrt(GRAVITY / HEIGHT)  # 1/s, tau = 1
+SPEED = np.sqrt(GRAVITY * HEIGHT)  # m/s, Cv = 1
+CUT_OFF, ORDER = 70.0, 4  # Hz; Butterworth, forward and backward: no delay
+STEP = 2e-5  # s, of the even series that the filter gets: the paper's window
+SECOND_PEAK = (4.5, 6.5)  # tau: the upward water has fallen back
+LATE = (7.0, 11.59)  # tau: after it
+RESPONSE = 3.5  # tau: until here the first blow and the answer to it
+
+
+class History:
+    """What a run recorded every window."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        with h5py.File(folder / "results.h5") as file:
+            self.case = json.loads(file.attrs["case"])
+            history = file["history"]
+            self.time = history["time"][:]
+            rows = len(self.time)
+            read = lambda name: history[name][:rows] if name in history else None
+            self.pressure = {name: np.nan_to_num(read(f"fluid/{name}")) for name in ("P01", "P02")}
+            self.tip = read("solid/tip_x")
+            self.front = read("fluid/front")
+            self.created = read("coupling/work_created")
+            self.work = read("coupling/work_points")
+        if self.tip is None:
+            self.tip = np.zeros(rows)
+
+    @property
+    def tau(self):
+        return self.time * RATE
+
+    def even(self, name):
+        """Times and Cp of a pressure probe on even steps."""
+        times = np.arange(self.time[0], self.time[-1], STEP)
+        return times, np.interp(times, self.time, self.pressure[name]) / PRESSURE
+
+
+def low_passed(values, cut_off=CUT_OFF, order=ORDER):
+    return sosfiltfilt(butter(order, cut_off, fs=1 / STEP, output="sos"), values)
+
+
+def between(tau, values, limits):
+    chosen = values[(tau >= limits[0]) & (tau <= limits[1])]
+    return chosen if len(chosen) else np.array([np.nan])
+
+
+def pressure_numbers(history, name):
+    """Peaks, late mean and impulse of one probe; NaN for what lies beyond the end of the run."""
+    times, raw = history.even(name)
+    tau, smooth = times * RATE, low_passed(raw)
+    first = tau < SECOND_PEAK[0]
+    whole = tau[-1] > LATE[1] - 0.01
+    return {
+        f"{name}_peak": smooth[first].max(), f"{name}_peak_tau": tau[first][smooth[first].argmax()],
+        f"{name}_raw_peak": history.pressure[name][history.tau < SECOND_PEAK[0]].max() / PRESSURE,
+        f"{name}_second_peak": between(tau, smooth, SECOND_PEAK).max() if tau[-1] > SECOND_PEAK[1] else np.nan,
+        f"{name}_late_mean": between(tau, raw, LATE).mean() if whole else np.nan,
+        f"{name}_impulse": np.trapz(raw, tau) if whole else np.nan,
+        f"{name}_impulse_first": np.trapz(raw[tau < 2.3], tau[tau < 2.3]),
+        f"{name}_noise": np.sqrt(np.mean((raw - smooth)[(tau > 0.8) & first]**2)) / smooth[first].max(),
+    }
+
+
+def tip_numbers(history):
+    """Largest displacement of the tip [m] and when; its mean from 0.4 to 0.6 s; its rest after 1.5 s."""
+    blow = history.time < 0.5
+    peak = history.tip[blow].argmax()
+    mean = lambda a, b: history.tip[(history.time >= a) & (history.time <= b)]
+    after = mean(1.5, 2.0)
+    return {
+        "tip_peak_m": history.tip[blow][peak], "tip_peak_s": history.time[blow][peak],
+        "tip_over_thickness": np.abs(history.tip).max() / THICKNESS,
+        "tip_mean_0.4_to_0.6_m": mean(0.4, 0.6).mean() if history.time[-1] > 0.59 else np.nan,
+        "tip_mean_after_1.5_m": after.mean() if history.time[-1] > 1.99 else np.nan,
+        "tip_rms_after_1.5_m": after.std() if history.time[-1] > 1.99 else np.nan,
+        "first_motion_s": history.time[np.argmax(np.abs(history.tip) > 2e-4)],
+    }
+
+
+def numbers(history, summary):
+    arrived = history.front >= 0.292 - 1e-3
+    spent = sum(part["seconds"]["cpu"] for part in summary["participants"].values())
+    row = {"front_s": history.time[arrived.argmax()] if arrived.any() else np.nan}
+    row |= tip_numbers(history)
+    for name in ("P01", "P02"):
+        row |= pressure_numbers(history, name)
+    row |= {"created_over_work": history.created[-1] / np.abs(history.work).max() if history.work.any() else 0.0,
+            "windows": summary["windows"], "core_s": spent, "wall_s": summary["wall_seconds"]}
+    return row
+
+
+def relative_difference(values):
+    """Eq. (7) of the paper."""
+    return (max(values) - min(values)) / min(values)

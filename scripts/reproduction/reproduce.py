@@ -1,0 +1,41 @@
+#!/usr/bin/python3
+"""Runs and reports; see scripts/reproduce."""
+import argparse
+import os
+import sys
+from pathlib import Path
+
+import page
+import runs
+from study import ROOT, Study
+
+DEFAULT = ("verification", "stiffness_2mm", "scatter", "chart", "finite_width", "stiffness", "stiffness_paper")
+
+
+def main():
+    parser = argparse.ArgumentParser(prog="scripts/reproduce", description="The published study, run and compared.")
+    parser.add_argument("groups", nargs="*", choices=[*runs.GROUPS, []], help="default: all, in this order")
+    parser.add_argument("--list", action="store_true", help="what would run, and what is there")
+    parser.add_argument("--page", action="store_true", help="only the page, from the runs that are there")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="runs at a time, one thread each")
+    parser.add_argument("--runs", type=Path, default=ROOT / "build/reproduction", help="where the runs lie")
+    parser.add_argument("--out", type=Path, default=ROOT / "docs/reproduction", help="where the page goes")
+    options = parser.parse_args()
+    study = Study(options.runs, options.jobs)
+    chosen = [run for group in options.groups or DEFAULT for run in runs.GROUPS[group]()]
+    if options.list:
+        for run in chosen:
+            summary = study.summary(run)
+            print(f"{run.name:44s} {summary['status'] if summary else 'not yet':9s} {' '.join(run.words())}")
+        return
+    if not options.page:
+        study.execute(chosen)
+        failed = [run.name for run in chosen if not study.finished(run)]
+        if failed:
+            print(f"did not finish: {', '.join(failed)} (logs in {options.runs})", file=sys.stderr)
+    page.write(study, options.out)
+    print(options.out / "README.md")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,111 @@
+"""The runs of the reproduction: what the paper computed, with its settings and with those that the cases recommend."""
+from study import Run
+
+STIFFNESS = {"20MPa": 2e7, "200MPa": 2e8, "2GPa": 2e9, "20GPa": 2e10, "200GPa": 2e11, "rigid": None}
+# Table 2 does not say which step went with which stiffness; these are the ones that its explicit solid can run
+# (section "What the paper left open" of the page).
+PAPER_SUBSTEP = {2e6: 1e-6, 2e7: 1e-6, 2e8: 1e-6, 2e9: 5e-7, 2e10: 5e-8, 2e11: 5e-8}
+FRAMES = {"output.frame_interval": 0.02}
+
+PAPER = {"solid.model": "mps", "fluid.source": "deviation", "fluid.gradient": "p_min", "fluid.gamma": 0.01,
+         "fluid.compressibility": 1e-9, "coupling.scheme": "weak", "coupling.load": "held", "time.stepping": "fixed",
+         "time.window": 2e-5}
+PUBLIC_CODE = {"fluid.gamma": 0.01, "fluid.compressibility": 1e-6}  # defaults of the first author's program
+
+
+def plate(stiffness, model=None):
+    """Table 2: steel's density and a Poisson's ratio; a rigid plate is a model."""
+    if stiffness is None:
+        return {"solid.model": "rigid"}
+    settings = {"solid.density": 7800, "solid.poisson_ratio": 0.3, "solid.young_modulus": stiffness}
+    return settings | ({"solid.model": model} if model else {})
+
+
+def paper_plate(stiffness):
+    if stiffness is None:
+        return PAPER | plate(None)
+    return PAPER | plate(stiffness) | {"solid.mps.substep": PAPER_SUBSTEP[stiffness]}
+
+
+def dam_break(name, settings, spacing, end):
+    return Run(name, "dam_break_plate", settings | {"fluid.spacing": spacing, "time.end": end} | FRAMES)
+
+
+def verification():
+    """Table 1: E = 1 MPa."""
+    words = PAPER | {"solid.mps.substep": 1e-6}
+    yield dam_break("verification_paper_1mm", words, 0.001, 2)
+    for spacing, end in ((0.004, 2), (0.002, 2), (0.001, 2), (0.0005, 0.4)):
+        yield dam_break(f"verification_recommended_{1000 * spacing:g}mm", {}, spacing, end)
+    for spacing in (0.004, 0.002):
+        yield dam_break(f"verification_paper_{1000 * spacing:g}mm", words, spacing, 2)
+    yield dam_break("verification_public_code_2mm", words | PUBLIC_CODE, 0.002, 2)
+    yield dam_break("verification_public_code_1mm", words | PUBLIC_CODE, 0.001, 0.6)
+
+
+def stiffness(spacing=0.001, end=2):
+    """Table 2: 20 MPa to 200 GPa, and rigid, with the recommended settings."""
+    for name, modulus in STIFFNESS.items():
+        yield dam_break(f"stiffness_recommended_{name}_{1000 * spacing:g}mm", plate(modulus), spacing, end)
+
+
+def stiffness_paper(spacing=0.001, end=2):
+    """Table 2 with the paper's settings."""
+    for name, modulus in STIFFNESS.items():
+        yield dam_break(f"stiffness_paper_{name}_{1000 * spacing:g}mm", paper_plate(modulus), spacing, end)
+
+
+def scatter():
+    """The same scene from starts that differ by nothing: a ten-thousandth of gravity, sideways."""
+    for name in ("20MPa", "rigid"):
+        for settings, words in (("recommended", plate), ("paper", paper_plate)):
+            for k in range(6):
+                start = {"gravity": f"[{k * 1e-3:g}, -9.81]"}
+                yield dam_break(f"scatter_{settings}_{name}_{k}", words(STIFFNESS[name]) | start, 0.002, 0.4)
+
+
+def finite_width():
+    yield Run("finite_width", "dam_break_plate_3d", {})
+
+
+SCENES = {"1MPa": {}, "20MPa": plate(2e7)}  # of the chart
+CHART_END = 0.4  # s: first blow and answer
+VARIANTS = {  # by label: settings in place of the recommended ones
+    "deviation, p_min": {"fluid.source": "deviation", "fluid.gradient": "p_min"},
+    "mixed": {"fluid.source": "mixed"},
+    "window 5e-5 s": {"time.window": 5e-5},
+    "window 2e-4 s": {"time.window": 2e-4, "fluid.courant": 0.4},
+    "mps": {"solid.model": "mps"},
+    "hamiltonian": {"solid.model": "hamiltonian"},
+    "modal": {"solid.model": "modal"},
+    "strong": {"coupling.scheme": "strong", "coupling.iteration.relaxation": "aitken"},
+    "weak_inertial": {"coupling.scheme": "weak_inertial", "coupling.velocity": "end"},
+    "paper": PAPER | {"solid.mps.substep": 1e-6},
+}
+
+
+def chart():
+    """What each choice costs and gains, one at a time from the recommended settings at 2 mm; and the spacing."""
+    for scene, words in SCENES.items():
+        for spacing in (0.004, 0.002, 0.001):
+            yield dam_break(f"chart_{scene}_recommended_{1000 * spacing:g}mm", words, spacing, CHART_END)
+        for label, variant in VARIANTS.items():
+            name = label.replace(", ", "_").replace(" ", "_")
+            yield dam_break(f"chart_{scene}_{name}", words | variant, 0.002, CHART_END)
+
+
+def stiffness_2mm():
+    """Table 2 on a coarser lattice, both ways."""
+    yield from stiffness(0.002)
+    yield from stiffness_paper(0.002)
+
+
+def reduced():
+    """What the tests guard: the verification case and two plates, on 2 mm and to 1 s."""
+    yield dam_break("reduced_verification", {}, 0.002, 1)
+    for name in ("20MPa", "rigid"):
+        yield dam_break(f"reduced_{name}", plate(STIFFNESS[name]), 0.002, 1)
+
+
+GROUPS = {"verification": verification, "stiffness_2mm": stiffness_2mm, "reduced": reduced, "stiffness": stiffness, "scatter": scatter, "chart": chart, "finite_width": finite_width,
+          "stiffness_paper": stiffness_paper}
