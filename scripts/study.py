@@ -93,6 +93,10 @@ class Study:
         self._log(run).with_suffix(".id").write_text(run.identity())
         with open(self._log(run), "a" if begun else "w") as log:
             subprocess.run(command, stdout=log, stderr=log, check=False)
+        if not (folder / "summary.json").exists():  # refused before it began
+            folder.mkdir(exist_ok=True)
+            words = self._log(run).read_text().strip()
+            (folder / "summary.json").write_text(json.dumps({"status": "failed", "reason": words}))
 
     def _progress(self, run):
         """Words of the last line of progress: time, end, seconds left; None before the first."""

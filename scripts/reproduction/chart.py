@@ -34,7 +34,8 @@ def points(numbers, scene):
             continue
         errors = {key: abs(row[key] / numbers.rows[truth][key] - 1) for key in MEASURES if key != "tip_rms"}
         errors["tip_rms"] = tip_rms(numbers.histories[name], numbers.histories[truth])
-        rows.append({"scene": scene, "setting": name.removeprefix(f"chart_{scene}_"), "core_s": row["core_s"], **errors})
+        setting = name.removeprefix(f"chart_{scene}_")
+        rows.append({"scene": scene, "setting": setting, "core_s": row["core_s"], **errors})
     return truth, sorted(rows, key=lambda row: row["core_s"])
 
 

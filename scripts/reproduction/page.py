@@ -8,6 +8,7 @@ import numpy as np
 import chart
 import figures
 import measures
+import open_points
 import paper
 import runs
 from study import ROOT
@@ -72,7 +73,8 @@ def verification(numbers):
                  for name in names.values()]
         rows.append([what, band(limits), *cells])
     for key, what in (("front_s", "front at the plate [s]"), ("first_motion_s", "first motion of the tip [s]"),
-                      ("created_over_work", "work made by the coupling, over the work done"), ("core_s", "core seconds")):
+                      ("created_over_work", "work made by the coupling, over the work done"),
+                      ("core_s", "core seconds")):
         rows.append([what, "", *[number(numbers.rows[name][key]) for name in names.values()]])
     return table(["", "paper", *names], rows)
 
@@ -154,7 +156,8 @@ def draw(out, numbers, found):
     folder = numbers.study.folder
     tips = {label: numbers.histories[name] for label, name in
             (("the paper's settings, 1 mm", "verification_paper_1mm"),
-             ("recommended, 1 mm", "verification_recommended_1mm"), ("recommended, 2 mm", "verification_recommended_2mm"))
+             ("recommended, 1 mm", "verification_recommended_1mm"),
+             ("recommended, 2 mm", "verification_recommended_2mm"))
             if name in numbers.histories}
     if tips:
         pictures["tip"] = figures.fig3_tip(tips, CASE_FOLDER)
@@ -212,6 +215,7 @@ def write(study, out):
         if "20MPa" in rows:
             parts += ["The peak at P01 at 20 MPa by the filter:\n",
                       filters(numbers.histories[f"stiffness_{settings}_20MPa_{spacing}"])]
-    parts += ["## Scatter of the peaks, 2 mm\n", "Starts that differ by a ten-thousandth of gravity, sideways: mean and "
-              "standard deviation.\n", scatter(numbers), chart.write(numbers, out)]
+    parts += ["## Scatter of the peaks, 2 mm\n",
+              "Starts that differ by a ten-thousandth of gravity, sideways: mean and standard deviation.\n",
+              scatter(numbers), open_points.write(study), chart.write(numbers, out)]
     (out / "README.md").write_text("\n".join(part for part in parts if part))

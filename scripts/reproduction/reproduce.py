@@ -9,12 +9,11 @@ import page
 import runs
 from study import ROOT, Study
 
-DEFAULT = ("verification", "stiffness_2mm", "scatter", "chart", "finite_width", "stiffness", "stiffness_paper")
-
 
 def main():
     parser = argparse.ArgumentParser(prog="scripts/reproduce", description="The published study, run and compared.")
-    parser.add_argument("groups", nargs="*", choices=[*runs.GROUPS, []], help="default: all, in this order")
+    parser.add_argument("groups", nargs="*", choices=[*runs.GROUPS, []], metavar="GROUP",
+                        help=f"of {', '.join(runs.GROUPS)}; default: all but the last, in this order")
     parser.add_argument("--list", action="store_true", help="what would run, and what is there")
     parser.add_argument("--page", action="store_true", help="only the page, from the runs that are there")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="runs at a time, one thread each")
@@ -22,7 +21,8 @@ def main():
     parser.add_argument("--out", type=Path, default=ROOT / "docs/reproduction", help="where the page goes")
     options = parser.parse_args()
     study = Study(options.runs, options.jobs)
-    chosen = [run for group in options.groups or DEFAULT for run in runs.GROUPS[group]()]
+    groups = options.groups or [name for name in runs.GROUPS if name != "reduced"]
+    chosen = list({run.name: run for group in groups for run in runs.GROUPS[group]()}.values())
     if options.list:
         for run in chosen:
             summary = study.summary(run)
