@@ -28,7 +28,8 @@ constexpr double growing = 3;  // times the alternation of the second quarter: n
 constexpr double created =
     0.05;  // of the work that passes: stable runs have less than 0.01, bounded ones 0.1 to 2
 constexpr const char* columns =
-    "state,end,windows,iterations,unconverged,ratio,alternation,created,frequency,amplitude,seconds,reason";
+    "state,end,windows,iterations,unconverged,ratio,alternation,created,frequency,amplitude,peak,peak_time,"
+    "seconds,reason";
 
 struct Axis {
   std::string key;
@@ -100,7 +101,7 @@ std::string run_cell(const MapOptions& options, const std::vector<std::string>& 
     require(the_case.has_fluid() && the_case.has_solid(), "the case needs a [fluid] and a [solid]");
     coupler = std::make_unique<Coupler>(the_case, Participants{fluid.get(), solid.get()});
   } catch (const std::exception& error) {
-    return "refused,0,0,0,0,0,0,0,0,0,0," + quoted(error.what());
+    return "refused,0,0,0,0,0,0,0,0,0,0,0,0," + quoted(error.what());
   }
   Swing swing(*coupler);
   std::string reason;
@@ -112,10 +113,10 @@ std::string run_cell(const MapOptions& options, const std::vector<std::string>& 
   const char* state = !reason.empty()                                                      ? "blown_up"
                       : !(swing.alternation() <= growing) || !(swing.created() <= created) ? "growing"
                                                                                            : "stable";
-  return fmt::format("{},{:.6g},{},{:.3f},{},{:.4g},{:.4g},{:.4g},{:.6g},{:.6g},{:.2f},{}", state,
-                     swing.end(), swing.windows(), swing.iterations(), coupler->unconverged(),
+  return fmt::format("{},{:.6g},{},{:.3f},{},{:.4g},{:.4g},{:.4g},{:.6g},{:.6g},{:.6g},{:.6g},{:.2f},{}",
+                     state, swing.end(), swing.windows(), swing.iterations(), coupler->unconverged(),
                      swing.largest_ratio(), swing.alternation(), swing.created(), swing.frequency(),
-                     swing.amplitude(), processor_seconds(), quoted(reason));
+                     swing.amplitude(), swing.peak(), swing.peak_time(), processor_seconds(), quoted(reason));
 }
 
 }  // namespace
@@ -141,7 +142,7 @@ void map_command(const MapOptions& options) {
     running.erase(pid);
     if (status != 0)
       replace_file(part(k),
-                   fmt::format("blown_up,0,0,0,0,0,0,0,0,0,0,\"its process ended with {}\"", status));
+                   fmt::format("blown_up,0,0,0,0,0,0,0,0,0,0,0,0,\"its process ended with {}\"", status));
     std::ifstream file(part(k));
     std::string row;
     std::getline(file, row);

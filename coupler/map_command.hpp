@@ -30,6 +30,8 @@ struct MapOptions {
 ///   created        work that the scheme has created over all work that passed, without signs
 ///   frequency      of the first displacement probe's largest swing [Hz], by its passages through the mean
 ///   amplitude      half the range of it in the last half of the run [m]
+///   peak           largest value of it in the run [m]
+///   peak_time      [s]
 ///   seconds        processor time
 ///   reason         of what did not end
 /// @throws Error for a wrong axis, and where the table cannot be written or is of another grid.

@@ -75,7 +75,7 @@ Outcome run(double mass, v1::Coupling::Scheme scheme) {
     outcome.ended = false;
   }
   outcome.created = swing.created();
-  outcome.half_period = swing.first_peak();
+  outcome.half_period = swing.peak_time();
   return outcome;
 }
 

@@ -94,10 +94,14 @@ double Swing::frequency() const {
              : static_cast<double>(passages.size() - 1) / (passages.back() - passages.front());
 }
 
-double Swing::first_peak() const {
+double Swing::peak() const {
   const std::vector<double>& y = displacement();
-  if (y.empty()) return 0;
-  return time_[static_cast<std::size_t>(std::max_element(y.begin(), y.end()) - y.begin())];
+  return y.empty() ? 0 : *std::max_element(y.begin(), y.end());
+}
+
+double Swing::peak_time() const {
+  const std::vector<double>& y = displacement();
+  return y.empty() ? 0 : time_[static_cast<std::size_t>(std::max_element(y.begin(), y.end()) - y.begin())];
 }
 
 double Swing::amplitude() const { return range(displacement(), displacement().size() / 2) / 2; }

@@ -29,8 +29,9 @@ class Swing : public Observer {
   /// Of the first displacement probe's component that moves most, between the first and the last upward
   /// passage through its mean over the second half of the run [Hz]; 0 where there are less than two.
   double frequency() const;
-  double first_peak() const;  ///< instant of its largest value in a run of less than a period and a half [s]
-  double amplitude() const;   ///< half its range in the second half of the run [m]
+  double peak() const;       ///< its largest value [m]
+  double peak_time() const;  ///< [s]
+  double amplitude() const;  ///< half its range in the second half of the run [m]
 
  private:
   double mean_change(double from, double to) const;

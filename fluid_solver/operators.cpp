@@ -81,8 +81,10 @@ template <int dim>
 double divergence(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i, double n0,
                   const Vec<dim>& kick) {
   const auto kicked = [&](int k) { return particles.kind[k] == Kind::fluid ? 0.0 : 1.0; };
+  const bool on_body = of_body(particles.kind[i]);
   double sum = 0;
   neighbors.each(particles, i, [&](int j, const Vec<dim>& x_ij, double r) {
+    if (on_body && of_body(particles.kind[j])) return;
     const Vec<dim> u_ij = particles.u[j] - particles.u[i] + (kicked(j) - kicked(i)) * kick;
     sum += u_ij.dot(x_ij) * weight(r, neighbors.re()) / (r * r);
   });

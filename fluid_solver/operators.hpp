@@ -37,9 +37,10 @@ template <int dim>
 Vec<dim> even_out(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i, double n0);
 
 /// Velocity divergence at particle i, eq. (10): (d / n0) sum of (u_j - u_i) . x_ij / r^2 w over all
-/// neighbours. `kick` [m/s] is added to the velocity of walls and bodies: what gravity has given the water in
-/// the prediction. The Neumann condition of eq. (11) takes it back from both; without it the source would
-/// count the weight of the water once more.
+/// neighbours, but for two points of bodies: a structure that is compressed does not compress water, and a
+/// pressure for it would compress it further. `kick` [m/s] is added to the velocity of walls and bodies: what
+/// gravity has given the water in the prediction. The Neumann condition of eq. (11) takes it back from both;
+/// without it the source would count the weight of the water once more.
 template <int dim>
 double divergence(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i, double n0,
                   const Vec<dim>& kick);

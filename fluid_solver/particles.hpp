@@ -19,6 +19,9 @@ enum class Kind : std::uint8_t {
 /// Whether a particle of this kind carries a pressure.
 constexpr bool has_pressure(Kind kind) { return kind != Kind::dummy && kind != Kind::body_inner; }
 
+/// Whether a particle of this kind belongs to a structure.
+constexpr bool of_body(Kind kind) { return kind == Kind::body_surface || kind == Kind::body_inner; }
+
 template <int dim>
 struct Particles {
   std::vector<Vec<dim>> x;  ///< position [m]

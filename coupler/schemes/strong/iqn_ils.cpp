@@ -18,6 +18,7 @@ Eigen::VectorXd IqnIls::next(const Eigen::VectorXd& x, const Eigen::VectorXd& re
   if (last_residual_.size() > 0) {
     changes_.push_front({.residual = residual - last_residual_, .output = output - last_output_});
     ++counts_.front();
+    if (residual.norm() > last_residual_.norm()) forget_past_windows();
   }
   last_residual_ = residual;
   last_output_ = output;
@@ -41,6 +42,11 @@ Eigen::VectorXd IqnIls::next(const Eigen::VectorXd& x, const Eigen::VectorXd& re
   for (const Change& q : basis) step -= q.residual.dot(residual) * q.output;
   const double excess = step.norm() / (longest * residual.norm());
   return x + step / std::max(1.0, excess);
+}
+
+void IqnIls::forget_past_windows() {
+  changes_.resize(static_cast<std::size_t>(counts_.front()));
+  counts_.resize(1);
 }
 
 void IqnIls::end_window() {

@@ -10,8 +10,10 @@ namespace cosurge {
 /// Degroote, Bathe & Vierendeels 2009 (doi 10.1016/j.compstruc.2008.11.013). With the columns dr of residuals
 /// and dg of outputs between iterations, of this window and the last ones: alpha = argmin |r + dr alpha|, x =
 /// g + dg alpha. Columns that are nearly combinations of newer ones are left out (QR2 filter: Haelterman et
-/// al. 2016, doi 10.1016/j.compstruc.2015.11.007). Added mass is positive, so that the step (1 + M)^-1 r is
-/// not longer than r: a longer one comes from noise in the columns, and is shortened.
+/// al. 2016, doi 10.1016/j.compstruc.2015.11.007). Where a step has made the residual larger, water has come
+/// or gone and past windows tell nothing of this one: their columns are dropped. Added mass is positive, so
+/// that the step (1 + M)^-1 r is not longer than r: a longer one comes from noise in the columns, and is
+/// shortened.
 class IqnIls : public Relaxation {
  public:
   /// @param first factor of the first iteration, while there are no columns
@@ -30,6 +32,8 @@ class IqnIls : public Relaxation {
     Eigen::VectorXd residual;
     Eigen::VectorXd output;
   };
+
+  void forget_past_windows();
 
   double first_;
   int reuse_;

@@ -83,6 +83,23 @@ TYPED_TEST(Operators, WaterThatFallsWithAKickDivergesFromWallsThatHaveTheSameKic
   EXPECT_EQ(divergence(particles, neighbors, wall, l.reference.n0, kick), 0);
 }
 
+TYPED_TEST(Operators, ABodyThatIsCompressedAlongsideWaterAtRestCompressesNoWater) {
+  constexpr int dim = TypeParam::value;
+  Lattice<dim> l;
+  auto& [particles, neighbors] = l.cloud;
+  const Vec<dim> up = Vec<dim>::Unit(dim - 1);
+  for (int j = 0; j < particles.size(); ++j) {
+    const double depth = 3 * l0 - particles.x[j][dim - 1];
+    if (depth > 0) particles.kind[j] = depth < l0 ? Kind::body_surface : Kind::body_inner;
+    particles.u[j] = depth > l0 ? Vec<dim>(depth * up) : Vec<dim>::Zero();  // its face stands still
+  }
+  const int face = l.cloud.nearest(Vec<dim>::Constant(3.5 * l0) - l0 * up);
+  ASSERT_EQ(particles.kind[face], Kind::body_surface);
+  EXPECT_EQ(divergence<dim>(particles, neighbors, face, l.reference.n0, Vec<dim>::Zero()), 0);
+  particles.u[face] = up;  // the face itself does
+  EXPECT_LT(divergence<dim>(particles, neighbors, face, l.reference.n0, Vec<dim>::Zero()), -0.1 / l0);
+}
+
 TYPED_TEST(Operators, ThePurelyRepulsiveGradientNeverPullsAPairTogether) {
   constexpr int dim = TypeParam::value;
   Cloud<dim> cloud{.particles = {}, .neighbors = Neighbors<dim>({-Vec<dim>::Ones(), Vec<dim>::Ones()}, 0.5)};

@@ -1,0 +1,70 @@
+#include "coupler/schemes/strong/iqn_ils.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+namespace cosurge {
+namespace {
+
+constexpr int unknowns = 12;
+constexpr int limit = 40;
+
+/// Added mass over mass at points that the water wets: ratios up to `largest` on motions that a reflection
+/// makes.
+struct AddedMass {
+  Eigen::VectorXd normal, ratios;
+
+  AddedMass(double largest, unsigned seed) : normal(unknowns), ratios(unknowns) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> coordinate;
+    for (int k = 0; k < unknowns; ++k) {
+      normal[k] = coordinate(random);
+      ratios[k] = largest * std::pow(0.4, k);
+    }
+    normal.normalize();
+    std::shuffle(ratios.begin(), ratios.end(), random);
+  }
+
+  Eigen::VectorXd reflected(const Eigen::VectorXd& x) const { return x - 2 * normal.dot(x) * normal; }
+  Eigen::VectorXd of(const Eigen::VectorXd& x) const { return reflected(ratios.cwiseProduct(reflected(x))); }
+};
+
+/// Iterations of one window to a residual of 1e-3, x = g(x) = 1 - M x.
+int iterate(IqnIls& relaxation, const AddedMass& M) {
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(unknowns);
+  for (int k = 1; k <= limit; ++k) {
+    const Eigen::VectorXd g = Eigen::VectorXd::Ones(unknowns) - M.of(x);
+    const Eigen::VectorXd residual = g - x;
+    if (residual.norm() <= 1e-3 * g.norm()) {
+      relaxation.end_window();
+      return k;
+    }
+    x = relaxation.next(x, residual);
+  }
+  return limit;
+}
+
+TEST(IqnIls, WindowsWithTheSameAddedMassBecomeCheap) {
+  IqnIls relaxation(0.5, 5);
+  const AddedMass M(20, 1);
+  const int first = iterate(relaxation, M);
+  for (int k = 0; k < 4; ++k) iterate(relaxation, M);
+  EXPECT_GE(first, 5);
+  EXPECT_LE(iterate(relaxation, M), 2);  // all that the right-hand side excites is known
+}
+
+TEST(IqnIls, WhatPastWindowsHaveShownDoesNotHinderOneWhoseWaterHasGoneElsewhere) {
+  // Added mass on other motions altogether, as when a jet leaves the plate and another one arrives.
+  for (unsigned seed = 2; seed < 12; ++seed) {
+    IqnIls fresh(0.5, 0), reusing(0.5, 5);
+    for (int k = 0; k < 5; ++k) iterate(reusing, AddedMass(20, 1));
+    const AddedMass other(20, seed);
+    // A step or two by what was true before, then as without.
+    EXPECT_LE(iterate(reusing, other), iterate(fresh, other) + 2) << seed;
+  }
+}
+
+}  // namespace
+}  // namespace cosurge

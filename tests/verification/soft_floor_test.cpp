@@ -1,0 +1,69 @@
+// A column of water on a soft floor: cases/soft_floor.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "common/case_file.hpp"
+#include "common/error.hpp"
+#include "tests/support/recording.hpp"
+
+namespace cosurge::testing {
+namespace {
+
+v1::Case soft_floor(const std::vector<std::string>& words) {
+  return load_case(COSURGE_SOURCE_DIR "/cases/soft_floor", words);
+}
+
+double largest(const std::vector<double>& values, double from, double to) {
+  const auto at = [&](double share) {
+    return values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));
+  };
+  return *std::max_element(at(from), at(to));
+}
+
+class SoftFloor : public ::testing::TestWithParam<const char*> {};
+
+// A pressure that answers the compression of the structure itself would drive its waves: as long as it did,
+// the kinetic energy grew a thousandfold here. Numerical damping of the water is all that there is now.
+TEST_P(SoftFloor, UnderWaterComesToRest) {
+  const Recording run(soft_floor({std::string("solid.model=") + GetParam()}));
+  const auto& energy = run.column("solid/kinetic_energy");
+  EXPECT_GT(largest(energy, 0, 0.2), 1e-4);  // it swings: half the mass times (40 um * 2 pi * 80 Hz)^2
+  EXPECT_LT(largest(energy, 0.8, 1), 0.2 * largest(energy, 0, 0.2));
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, SoftFloor, ::testing::Values("mps", "hamiltonian", "fem"),
+                         [](const auto& model) { return std::string(model.param); });
+
+TEST(SoftFloor, SwingsAtTheFrequencyOfABarWithTheWaterOnTop) {
+  const Recording run(soft_floor({"time.window=2e-4", "time.end=0.06"}));
+  const auto& y = run.column("solid/floor_y");
+  const double rest = std::accumulate(y.begin() + 150, y.end(), 0.0) / static_cast<double>(y.size() - 150);
+  // rho g H b / E + rho_s g e^2 / 2 E; the surface's truncated Laplacian is worth a spacing of 40.
+  EXPECT_NEAR(rest, -39.2e-6, 0.03 * 39.2e-6);
+  std::vector<double> passages;
+  for (std::size_t k = 1; k < y.size(); ++k)
+    if (y[k - 1] < rest && y[k] >= rest)
+      passages.push_back(run.time()[k - 1] + 2e-4 * (rest - y[k - 1]) / (y[k] - y[k - 1]));
+  ASSERT_GE(passages.size(), 3U);
+  const double frequency = static_cast<double>(passages.size() - 1) / (passages.back() - passages.front());
+  RecordProperty("frequency", std::to_string(frequency));
+  EXPECT_NEAR(frequency / 80.9, 1, 0.03);  // measured 1.017: the same spacing, and the walls' columns
+}
+
+TEST(SoftFloor, LighterThanItsWaterIsBeyondWeakCoupling) {
+  // mu = rho H / (rho_s e) = 4; weak coupling bears 2. All that there is to pass is the work of the water's
+  // weight on the way down, rho g H x 39 um x 0.1 m = 8 mJ.
+  double energy = INFINITY;
+  try {
+    energy = largest(Recording(soft_floor({"coupling.scheme=weak"})).column("solid/kinetic_energy"), 0, 1);
+  } catch (const NumericalError&) {
+  }
+  EXPECT_GT(energy, 0.1);
+  EXPECT_LT(largest(Recording(soft_floor({})).column("solid/kinetic_energy"), 0, 1), 8e-3);
+}
+
+}  // namespace
+}  // namespace cosurge::testing
