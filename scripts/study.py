@@ -44,13 +44,15 @@ class Study:
     def folder_of(self, run):
         return self.folder / run.name
 
-    def summary(self, run):
-        """summary.json of a run that came to its end, well or not; None before."""
+    def begun(self, run):
+        """summary.json of a run that is there, to its end or not; None before."""
         path = self.folder_of(run) / "summary.json"
-        if not path.exists() or self._identity(run) != run.identity():
-            return None
-        summary = json.loads(path.read_text())
-        return summary if summary["status"] in ("finished", "failed") else None
+        return json.loads(path.read_text()) if path.exists() and self._identity(run) == run.identity() else None
+
+    def summary(self, run):
+        """The same of a run that came to its end, well or not."""
+        summary = self.begun(run)
+        return summary if summary and summary["status"] in ("finished", "failed") else None
 
     def finished(self, run):
         summary = self.summary(run)

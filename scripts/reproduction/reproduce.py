@@ -5,6 +5,7 @@ import os
 import sys
 from pathlib import Path
 
+import guard
 import page
 import runs
 from study import ROOT, Study
@@ -19,8 +20,12 @@ def main():
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="runs at a time, one thread each")
     parser.add_argument("--runs", type=Path, default=ROOT / "build/reproduction", help="where the runs lie")
     parser.add_argument("--out", type=Path, default=ROOT / "docs/reproduction", help="where the page goes")
+    parser.add_argument("--guard", action="store_true", help="run the reduced study alone, and check its numbers")
     options = parser.parse_args()
     study = Study(options.runs, options.jobs)
+    if options.guard:
+        study.execute(list(runs.reduced()))
+        sys.exit(not guard.check(study))
     groups = options.groups or [name for name in runs.GROUPS if name != "reduced"]
     chosen = list({run.name: run for group in groups for run in runs.GROUPS[group]()}.values())
     if options.list:
