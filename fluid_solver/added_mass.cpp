@@ -13,6 +13,10 @@ namespace {
 // mass.
 constexpr double mode_tolerance = 1e-3;
 constexpr int most_iterations = 500;
+
+// Windows in which a mode's pressure is solved for once; in the others it is what it was.
+constexpr int refresh_interval = 4;
+
 constexpr int most_newton_steps = 30;
 
 }  // namespace
@@ -63,25 +67,63 @@ std::vector<double> AddedMass<dim>::right_hand_side(const Step& step, const Fiel
 }
 
 template <int dim>
-std::vector<double> AddedMass<dim>::mode_pressure(const Step& step, std::size_t mode) {
+std::vector<double> AddedMass<dim>::last_pressure(const Step& step, std::size_t mode) const {
   const std::vector<std::int32_t>& unknowns = step.poisson.unknowns();
-  std::vector<double>& last = last_[mode];
   std::vector<double> p(unknowns.size());
   for (std::size_t k = 0; k < unknowns.size(); ++k)
-    p[k] = last[static_cast<std::size_t>(step.particles.id[unknowns[k]])];
-  const SolveReport report =
-      conjugate_gradient(step.poisson.matrix(), right_hand_side(step, modes_[mode].shape),
-                         step.preconditioner, mode_tolerance, most_iterations, p);
-  if (!report.converged)
-    throw NumericalError(
-        fmt::format("pressure of mode {} of the structure: residual {:.2e} > {:.2e} after {} "
-                    "iterations",
-                    mode, report.relative_residual, mode_tolerance, report.iterations));
-  iterations_ += report.iterations;
+    p[k] = last_[mode][static_cast<std::size_t>(step.particles.id[unknowns[k]])];
+  return p;
+}
+
+template <int dim>
+std::vector<double> AddedMass<dim>::mode_pressure(const Step& step, std::size_t mode) {
+  std::vector<double> p = last_pressure(step, mode);
+  if (windows_ != 0 && static_cast<int>(mode) % refresh_interval != windows_ % refresh_interval) return p;
+  solve(step, right_hand_side(step, modes_[mode].shape), mode_tolerance, p);
+  const std::vector<std::int32_t>& unknowns = step.poisson.unknowns();
+  std::vector<double>& last = last_[mode];
   std::fill(last.begin(), last.end(), 0.0);
   for (std::size_t k = 0; k < unknowns.size(); ++k)
     last[static_cast<std::size_t>(step.particles.id[unknowns[k]])] = p[k];
   return p;
+}
+
+template <int dim>
+void AddedMass<dim>::solve(const Step& step, const std::vector<double>& right_hand_side, double tolerance,
+                           std::vector<double>& p) {
+  const SolveReport report = conjugate_gradient(step.poisson.matrix(), right_hand_side, step.preconditioner,
+                                                tolerance, most_iterations, p);
+  if (!report.converged)
+    throw NumericalError(
+        fmt::format("pressure of the structure's modes: residual {:.2e} > {:.2e} after {} iterations",
+                    report.relative_residual, tolerance, report.iterations));
+  iterations_ += report.iterations;
+}
+
+/// Solves again, for the motion that the modes have with the accelerations c: so the pressure is that of the
+/// motion also where a mode's own pressure is old.
+template <int dim>
+void AddedMass<dim>::answer(const Step& step, const Eigen::VectorXd& c, std::vector<double>& pressure) {
+  Field motion = Field::Zero(dim, static_cast<Eigen::Index>(step.body_place.size()));
+  for (std::size_t m = 0; m < modes_.size(); ++m) motion += c[static_cast<Eigen::Index>(m)] * modes_[m].shape;
+  std::vector<double> rows = right_hand_side(step, motion);
+  for (std::size_t k = 0; k < rows.size(); ++k) rows[k] += step.poisson.right_hand_side()[k];
+  solve(step, rows, step.tolerance, pressure);
+}
+
+template <int dim>
+auto AddedMass<dim>::wet_points(const Step& step) const -> std::vector<WetPoint> {
+  const std::vector<std::int32_t>& unknowns = step.poisson.unknowns();
+  std::vector<std::int32_t> unknown_at(step.particles.u.size(), -1);
+  for (std::size_t k = 0; k < unknowns.size(); ++k)
+    unknown_at[static_cast<std::size_t>(unknowns[k])] = static_cast<std::int32_t>(k);
+  std::vector<WetPoint> points;
+  for (std::size_t k = 0; k < step.body_place.size(); ++k) {
+    const auto place = static_cast<std::size_t>(step.body_place[k]);
+    if (unknown_at[place] >= 0 && step.particles.kind[place] == Kind::body_surface)
+      points.push_back({.point = k, .unknown = static_cast<std::size_t>(unknown_at[place])});
+  }
+  return points;
 }
 
 template <int dim>
@@ -94,15 +136,7 @@ void AddedMass<dim>::couple(const Step& step, std::vector<double>& pressure) {
   last_.resize(modes_.size());
   for (auto& last : last_) last.resize(std::max(last.size(), ids));
 
-  const std::vector<std::int32_t>& unknowns = step.poisson.unknowns();
-  std::vector<std::int32_t> unknown_at(step.particles.u.size(), -1);
-  for (std::size_t k = 0; k < unknowns.size(); ++k)
-    unknown_at[static_cast<std::size_t>(unknowns[k])] = static_cast<std::int32_t>(k);
-  std::vector<std::size_t> points;  // wet, with a pressure
-  for (std::size_t k = 0; k < step.body_place.size(); ++k)
-    if (unknown_at[static_cast<std::size_t>(step.body_place[k])] >= 0 &&
-        step.particles.kind[step.body_place[k]] == Kind::body_surface)
-      points.push_back(k);
+  const std::vector<WetPoint> points = wet_points(step);
   if (points.empty()) return;
 
   const auto r = static_cast<Eigen::Index>(modes_.size());
@@ -115,8 +149,7 @@ void AddedMass<dim>::couple(const Step& step, std::vector<double>& pressure) {
   std::vector<std::vector<double>> all;
   for (std::size_t m = 0; m < modes_.size(); ++m) all.push_back(mode_pressure(step, m));
   for (Eigen::Index i = 0; i < n; ++i) {
-    const std::size_t point = points[static_cast<std::size_t>(i)];
-    const auto u = static_cast<std::size_t>(unknown_at[static_cast<std::size_t>(step.body_place[point])]);
+    const auto [point, u] = points[static_cast<std::size_t>(i)];
     load.pressure[i] = pressure[u];
     for (Eigen::Index m = 0; m < r; ++m) {
       load.per_acceleration(i, m) = all[static_cast<std::size_t>(m)][u];
@@ -133,12 +166,15 @@ void AddedMass<dim>::couple(const Step& step, std::vector<double>& pressure) {
   for (Eigen::Index m = 0; m < r; ++m)
     for (std::size_t k = 0; k < pressure.size(); ++k)
       pressure[k] += c[m] * all[static_cast<std::size_t>(m)][k];
+  answer(step, c, pressure);
+  ++windows_;
 }
 
 template <int dim>
 void AddedMass<dim>::save(StateWriter& state) const {
   state.put(static_cast<std::uint64_t>(last_.size()));
   for (const auto& last : last_) state.put(last);
+  state.put(windows_);
 }
 
 template <int dim>
@@ -147,6 +183,7 @@ void AddedMass<dim>::restore(StateReader& state) {
   state.get(modes);
   last_.resize(modes);
   for (auto& last : last_) state.get(last);
+  state.get(windows_);
 }
 
 template class AddedMass<2>;

@@ -26,7 +26,8 @@ struct ModalLoad {
 /// of the added mass, positive definite.
 Eigen::VectorXd consistent_accelerations(const ModalLoad& load);
 
-/// Solves for the pressure of the modes with the matrix of the step, each from its last pressure.
+/// Solves for the pressure of the modes with the matrix of the step, each from its last pressure and in every
+/// fourth window, in turn; and once more for the pressure of the motion that the modes get by it.
 template <int dim>
 class AddedMass {
  public:
@@ -41,6 +42,7 @@ class AddedMass {
     Preconditioner& preconditioner;
     double source_per_divergence;  ///< of the pressure equation's source [kg/(m3 s)]
     double dt;
+    double tolerance;  ///< of the pressure's relative residual
   };
 
   /// Of the window to come; none where the scheme does without.
@@ -51,17 +53,28 @@ class AddedMass {
   void couple(const Step& step, std::vector<double>& pressure);
 
   double ratio() const { return ratio_; }  ///< of a mode's added mass to its mass in the window, the largest
-  int iterations() const { return iterations_; }  ///< of all modes' pressures in the last window
+  int iterations() const { return iterations_; }  ///< for the modes in the last window
 
   void save(StateWriter& state) const;
   void restore(StateReader& state);
 
  private:
   std::vector<double> right_hand_side(const Step& step, const Field& shape) const;
+  /// A wet point of the bodies whose pressure is unknown.
+  struct WetPoint {
+    std::size_t point, unknown;
+  };
+
+  std::vector<WetPoint> wet_points(const Step& step) const;
+  std::vector<double> last_pressure(const Step& step, std::size_t mode) const;
   std::vector<double> mode_pressure(const Step& step, std::size_t mode);
+  void solve(const Step& step, const std::vector<double>& right_hand_side, double tolerance,
+             std::vector<double>& p);
+  void answer(const Step& step, const Eigen::VectorXd& c, std::vector<double>& pressure);
 
   std::vector<Mode> modes_;
   std::vector<std::vector<double>> last_;  // pressure of each mode by the particles' id
+  int windows_ = 0;                        // coupled so far: whose turn it is
   double ratio_ = 0;
   int iterations_ = 0;
 };

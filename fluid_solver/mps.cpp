@@ -245,7 +245,8 @@ SolveReport Mps<dim>::solve_pressure(double start, double dt, double precision) 
                       .poisson = poisson_,
                       .preconditioner = *preconditioner_,
                       .source_per_divergence = source_per_divergence(dt),
-                      .dt = dt},
+                      .dt = dt,
+                      .tolerance = tolerance},
                      pressure_);
   std::fill(particles_.p.begin(), particles_.p.end(), 0.0);
   for (std::size_t k = 0; k < unknowns.size(); ++k) particles_.p[unknowns[k]] = std::max(0.0, pressure_[k]);

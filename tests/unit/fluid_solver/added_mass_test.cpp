@@ -66,5 +66,33 @@ TEST(AddedMassOfAFloor, IsTheMassOfTheColumnAboveAndTheLoadAgreesWithTheAnswer) 
   }
 }
 
+TEST(AddedMassOfAFloor, GivesTheLoadOfTheMotionThatItCausesAlsoWhileTheModesPressureIsOld) {
+  constexpr double l0 = 0.005, mass = 2, dt = 1e-3, weight = -20 * 9.81;
+  v1::Fluid fluid =
+      test::tank_of_water(l0, test::box_of({0, 0}, {0.1, 0.3}), {test::box_of({0, 0.02}, {0.1, 0.22})});
+  fluid.set_source(v1::Fluid::mixed);
+  const v1::Solid floor = test::solid_of(test::box_of({0, 0}, {0.1, 0.02}));
+  Mps<2> coupled(fluid, &floor, Vec<2>(0, -9.81)), told(fluid, &floor, Vec<2>(0, -9.81));
+  Surface surface = Surface::at_rest(2, coupled.bodies().points());
+  Field up = Field::Zero(2, coupled.bodies().points());
+  up.row(1).setOnes();
+  for (int k = 0; k < 6; ++k) {  // the mode's pressure is solved for in the first and the fifth window
+    told.restore(coupled.save());
+    surface.velocity.row(1).setConstant(0.1 * dt);
+    coupled.set_modes({{.shape = up, .mobility = dt / mass, .load = weight}});
+    coupled.move_bodies(surface.displacement, surface.velocity);
+    (void)coupled.step(k * dt, dt);
+    coupled.load(surface);
+    const double load = surface.force.row(1).sum();
+
+    surface.velocity.row(1).array() += dt / mass * (load - weight);
+    told.move_bodies(surface.displacement, surface.velocity);
+    (void)told.step(k * dt, dt);
+    told.load(surface);
+    // The added mass is ten times the mass and multiplies what is left of the residual, 1e-3.
+    EXPECT_NEAR(surface.force.row(1).sum(), load, 0.02 * std::abs(weight)) << k;
+  }
+}
+
 }  // namespace
 }  // namespace cosurge::fluid
