@@ -10,6 +10,7 @@ import figures
 import measures
 import open_points
 import paper
+import plot_run
 import runs
 from study import ROOT
 
@@ -153,6 +154,24 @@ def filters(history):
     return table(["filter", "peak of Cp"], lines)
 
 
+def finite_width(study, out):
+    """Part of the page: the scene in three dimensions."""
+    run = next(runs.finite_width())
+    if not study.finished(run):
+        return ""
+    recorded = plot_run.read_run(study.folder_of(run))
+    figure = plot_run.snapshots(recorded)
+    figure.savefig(out / "finite_width.png", dpi=80)
+    figures.plt.close(figure)
+    tip = recorded.history["solid/tip_x"]
+    summary = study.summary(run)
+    spent = sum(part["seconds"]["cpu"] for part in summary["participants"].values())
+    return ("## Three dimensions: a plate of finite width\n\n"
+            f"`cases/dam_break_plate_3d`, 8 mm, {summary['participants']['fluid']['particles']} particles of water and walls: the middle "
+            f"slice. The tip goes to {1000 * tip.max():.1f} mm at {recorded.time[tip.argmax()]:.3f} s; {spent:.0f} core seconds.\n\n"
+            "![finite width](finite_width.png)\n")
+
+
 def draw(out, numbers, found):
     """Saves the figures that there are runs for; returns the lines of the page that show them."""
     pictures = {}
@@ -220,5 +239,5 @@ def write(study, out):
                       filters(numbers.histories[f"stiffness_{settings}_20MPa_{spacing}"])]
     parts += ["## Scatter of the peaks, 2 mm\n",
               "Starts that differ by a ten-thousandth of gravity, sideways: mean and standard deviation.\n",
-              scatter(numbers), open_points.write(study), chart.write(numbers, out)]
+              scatter(numbers), open_points.write(study), finite_width(study, out), chart.write(numbers, out)]
     (out / "README.md").write_text("\n".join(part for part in parts if part))

@@ -130,6 +130,8 @@ def open_points():
     # The paper's tips are smaller than ours, its loads are not: a plate that is stiffer by one factor?
     yield dam_break("open_stiffer_1MPa", {"solid.young_modulus": STIFFER * 1e6}, 0.002, 0.4)
     yield dam_break("open_stiffer_20MPa", plate(STIFFER * 2e7), 0.002, 0.4)
+    # Or the soft water of the public code?
+    yield dam_break("open_public_code_20MPa", paper_plate(2e7) | PUBLIC_CODE, 0.002, 0.4)
 
 
 GROUPS = {
