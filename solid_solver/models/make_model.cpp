@@ -31,9 +31,7 @@ std::unique_ptr<SolidModel> make(const v1::Case& the_case) {
   const Vec<dim> gravity = gravity_of<dim>(the_case);
   switch (solid.model()) {
     case v1::SolidModel::mps:
-      if constexpr (dim == 2) return mps::make_mps(solid, spacing, gravity);
-      throw Error(
-          "solid.model: mps is for scenes of 2 dimensions; in 3 there are hamiltonian, fem and modal");
+      return mps::make_mps<dim>(solid, spacing, gravity);
     case v1::SolidModel::hamiltonian:
       return hamiltonian::make_hamiltonian<dim>(solid, spacing, gravity);
     case v1::SolidModel::fem:

@@ -40,6 +40,7 @@ class FemSample {
       1e-7;  ///< momenta: the balance of forces is 1e-10 of the largest, 200 times
   static constexpr double rounding = 1e-11;   ///< of the sum of all forces, over the largest
   static constexpr bool whole_energy = true;  ///< the continuum's energy for affine motion, faces included
+  static constexpr bool local = true;         ///< affine motion is in balance clear of faces
 
   explicit FemSample(const Block& block)
       : body_(block.body(), 0, 0.004, block.material(), Vec<2>::Zero()), motion_(body_, 1, 0) {}
@@ -112,29 +113,38 @@ inline particles::Substance<2> substance_of(const Block& block) {
   return {.material = block.material(), .gravity = Vec<2>::Zero()};
 }
 
+template <v1::SolidMps::Pairs pairs>
 class MpsSample : public ParticleSample<mps::MpsBody<2>> {
  public:
-  static constexpr bool whole_energy = false;  // faces lack neighbours
-  static constexpr double conserves = 1e-11;   // rounding of 2000 steps
-  static constexpr double rounding = 1e-11;    // of the sum of all forces, over the largest
+  static constexpr bool whole_energy = false;  // the paper's faces lack neighbours; large strains: other law
+  static constexpr bool local = pairs == v1::SolidMps::paper;  // whole weights differ far from the faces too
+  static constexpr double conserves = 1e-11;                   // rounding of 2000 steps
+  static constexpr double rounding = 1e-11;                    // of the sum of all forces, over the largest
 
   explicit MpsSample(const Block& block)
-      : ParticleSample({block.body(), 0, stencil(), substance_of(block)},
-                       2 / particles::highest_frequency(stencil(), block.material())) {}
+      : ParticleSample(
+            {block.body(), 0, particles::full_stencil<2>(l0, effective_radius), substance_of(block), pairs},
+            0) {
+    stable_step_ = 2 / body_.highest_frequency();
+  }
 
   void deform(const Field& u, double angle) {
     for (Eigen::Index p = 0; p < u.cols(); ++p)
-      body_.place(static_cast<std::size_t>(p), u.col(p), angle, Vec<2>::Zero(), 0);
+      body_.place(static_cast<std::size_t>(p), u.col(p), Axial(angle), Vec<2>::Zero(), Axial(0));
   }
-  Vec<3> momenta() const { return {momentum()[0], momentum()[1], body_.angular_momentum()}; }
+  Vec<3> momenta() const { return {momentum()[0], momentum()[1], body_.angular_momentum()[0]}; }
 
  private:
-  static particles::Stencil<2> stencil() { return particles::full_stencil<2>(l0, effective_radius); }
+  using Axial = mps::MpsBody<2>::Axial;
 };
+
+using PaperSample = MpsSample<v1::SolidMps::paper>;
+using CorrectedSample = MpsSample<v1::SolidMps::corrected>;
 
 class HamiltonianSample : public ParticleSample<hamiltonian::HamiltonianBody<2>> {
  public:
   static constexpr bool whole_energy = true;
+  static constexpr bool local = true;
   // Sums go over displacements, not over their differences: rounding is that of 24 l0, not of l0.
   static constexpr double conserves = 1e-9;
   static constexpr double rounding = 1e-10;

@@ -32,7 +32,7 @@ class FemBody {
   };
 
   /// @param index of the body, for messages
-  /// @param longest side of an element [m], 0 for half of the thinnest side
+  /// @param longest side of an element [m], 0 for a third of the thinnest side
   FemBody(const v1::Body& body, int index, double longest, const Elasticity& material,
           const Vec<dim>& gravity);
 

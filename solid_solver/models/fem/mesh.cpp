@@ -15,7 +15,7 @@ constexpr double most_elements = 1e6;
 template <int dim>
 Mesh<dim>::Mesh(const v1::Body& body, int index, double longest) : box_(body.box()) {
   const Vec<dim> sides = box_.max - box_.min;
-  if (longest == 0) longest = sides.minCoeff() / 2;
+  if (longest == 0) longest = sides.minCoeff() / 3;
   const Vec<dim> counts = (sides / longest).array().max(rounding) - rounding;
   require(counts.array().ceil().prod() <= most_elements,
           "solid.fem.element = {:.3g} m makes {:.3g} elements of solid.body.{}, more than {:.0g}", longest,

@@ -23,7 +23,7 @@ class Mesh {
     Vec<dim> xi;
   };
 
-  /// @param longest side of an element [m]; 0 for half of the box's shortest side
+  /// @param longest side of an element [m]; 0 for a third of the box's shortest side
   /// @throws Error for a clamp or support that holds no node, and for more elements than memory holds.
   Mesh(const v1::Body& body, int index, double longest);
 

@@ -1,36 +1,17 @@
 #include "solid_solver/models/hamiltonian/hamiltonian_body.hpp"
 
-#include <Spectra/SymEigsSolver.h>
-
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
-#include "common/error.hpp"
 #include "solid_solver/damping.hpp"
+#include "solid_solver/models/particles/highest_frequency.hpp"
 
 namespace cosurge::hamiltonian {
 namespace {
 
 using particles::at;
 using particles::Lanes;
-
-/// The body's accelerations under small displacements of its free components, as Spectra wants an operator.
-template <typename Apply>
-class Operator {
- public:
-  using Scalar = double;
-  Operator(Eigen::Index size, const Apply& apply) : size_(size), apply_(apply) {}
-  Eigen::Index rows() const { return size_; }
-  Eigen::Index cols() const { return size_; }
-  void perform_op(const double* x, double* y) const {
-    Eigen::Map<Eigen::VectorXd>(y, size_) = apply_(Eigen::Map<const Eigen::VectorXd>(x, size_));
-  }
-
- private:
-  Eigen::Index size_;
-  const Apply& apply_;
-};
 
 }  // namespace
 
@@ -238,33 +219,23 @@ double HamiltonianBody<dim>::highest_frequency() const {
   for (std::size_t p = 0; p < grid_.positions().size(); ++p)
     for (int k = 0; k < dim; ++k)
       if (free_[k][grid_.slot(p)] != 0) unknowns.emplace_back(k, grid_.slot(p));
-  const auto size = static_cast<Eigen::Index>(unknowns.size());
   Vectors u;
   u.fill(Slots::Zero(grid_.slots()));
-  // Strains so small that their squares count nothing.
-  const double small = 1e-7 * stencil_.spacing;
-  const auto stiffness = [&](const Eigen::Map<const Eigen::VectorXd>& x) {
-    const double scale = small / x.norm();
-    Eigen::VectorXd y(size);
-    for (Eigen::Index m = 0; m < size; ++m) u[unknowns[m].first][unknowns[m].second] = scale * x[m];
+  return particles::highest_frequency(unknowns.size(), [&](const Eigen::VectorXd& x) {
+    // Strains so small that their squares count nothing.
+    const double scale = 1e-7 * stencil_.spacing / x.norm();
+    for (std::size_t m = 0; m < unknowns.size(); ++m) u[unknowns[m].first][unknowns[m].second] = scale * x[m];
     measure_stress(u);
     Vectors a = u;
     for (Eigen::Index i = grid_.first_slot(); i < grid_.last_slot(); i += grid_.lanes) {
       const particles::LaneVec<dim> lanes = internal_acceleration(u, i);
       for (int k = 0; k < dim; ++k) at(a[k], i) = lanes[k];
     }
-    for (Eigen::Index m = 0; m < size; ++m) y[m] = -a[unknowns[m].first][unknowns[m].second] / scale;
+    Eigen::VectorXd y(x.size());
+    for (std::size_t m = 0; m < unknowns.size(); ++m)
+      y[m] = -a[unknowns[m].first][unknowns[m].second] / scale;
     return y;
-  };
-  Operator op(size, stiffness);
-  Spectra::SymEigsSolver solver(op, 1, static_cast<int>(std::min<Eigen::Index>(20, size)));
-  solver.init();
-  constexpr double tolerance = 1e-4;
-  solver.compute(Spectra::SortRule::LargestAlge, 1000, tolerance);
-  if (solver.info() != Spectra::CompInfo::Successful)
-    throw NumericalError("solid: the highest frequency of a body was not found");
-  // What the tolerance may leave out, so that the limit is one.
-  return std::sqrt(solver.eigenvalues()[0] * (1 + tolerance));
+  });
 }
 
 template <int dim>

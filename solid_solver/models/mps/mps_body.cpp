@@ -1,8 +1,10 @@
 #include "solid_solver/models/mps/mps_body.hpp"
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "solid_solver/damping.hpp"
+#include "solid_solver/models/particles/highest_frequency.hpp"
 
 namespace cosurge::mps {
 namespace {
@@ -18,24 +20,28 @@ using particles::Neighbor;
 
 template <int dim>
 MpsBody<dim>::MpsBody(const v1::Body& body, int index, const particles::Stencil<dim>& stencil,
-                      const particles::Substance<dim>& substance)
-    : Base(body, index, stencil, substance), dilatational_(substance.material.lambda() > 0) {
+                      const particles::Substance<dim>& substance, v1::SolidMps::Pairs pairs)
+    : Base(body, index, stencil, substance),
+      weights_(pairs == v1::SolidMps::paper ? lattice_weights(grid_, stencil)
+                                            : whole_weights(grid_, stencil)),
+      dilatational_(substance.material.lambda() > 0) {
   const Elasticity& material = substance.material;
   for (const Neighbor<dim>& n : stencil.neighbors) {
     const double d_n0 = dim / stencil.n0;
     Bond bond{.shift = grid_.shift(n.offset),
               .r0 = {},
               .length = n.length,
-              .spring = 4 * d_n0 * material.mu() / material.density * n.w / (n.length * n.length),
-              .stretch = d_n0 * n.w / n.length,
-              .pull = material.lambda() / material.density * d_n0 * n.w / n.length};
+              .spring = 4 * d_n0 * material.mu() / material.density / (n.length * n.length),
+              .stretch = d_n0 / n.length,
+              .pull = material.lambda() / material.density * d_n0 / n.length};
     for (int k = 0; k < dim; ++k) bond.r0[k] = n.r0[k];
     bonds_.push_back(bond);
   }
   const Slots zero = Slots::Zero(grid_.slots());
   dilatation_ = turns_ = zero;
   spin_.fill(zero);
-  for (int k = 0; k < Rot::components; ++k) rotation_[k] = zero + Rot::identity()[k];
+  rotation_.fill(zero);
+  rotation_[0] += 1;
   for (std::size_t p = 0; p < grid_.positions().size(); ++p) turns_[grid_.slot(p)] = grid_.held(p) ? 0 : 1;
 }
 
@@ -52,24 +58,28 @@ void MpsBody<dim>::advance(int substeps, double dt) {
 
 template <int dim>
 typename MpsBody<dim>::Rot MpsBody<dim>::rotation_at(Eigen::Index i) const {
-  if constexpr (dim == 2) return {at(rotation_[0], i), at(rotation_[1], i)};
+  Rot rotation;
+  for (int k = 0; k < Rot::components; ++k) rotation.q[k] = at(rotation_[k], i);
+  return rotation;
 }
 
 template <int dim>
 void MpsBody<dim>::measure_dilatation() const {
   for (Eigen::Index i = grid_.first_slot(); i < grid_.last_slot(); i += grid_.lanes) {
     Lanes sum = Lanes::Zero();
-    for (const Bond& bond : bonds_) {
-      const Eigen::Index j = i + bond.shift;
-      LaneVec<dim> r = this->relative_displacement(i, j);
+    for (std::size_t b = 0; b < bonds_.size(); ++b) {
+      const Bond& bond = bonds_[b];
+      LaneVec<dim> r = this->relative_displacement(i, i + bond.shift);
+      const Lanes reach = at(weights_.pairs[b].reach, i);
       Lanes square = Lanes::Constant(not_zero);
       for (int k = 0; k < dim; ++k) {
-        r[k] += bond.r0[k];
+        r[k] += bond.r0[k] * reach;
         square += r[k] * r[k];
       }
-      sum += bond.stretch * at(present_, j) * (square * square.rsqrt() - bond.length);
+      sum +=
+          bond.stretch * at(weights_.pairs[b].stretch, i) * (square * square.rsqrt() - bond.length * reach);
     }
-    at(dilatation_, i) = sum * at(present_, i);
+    at(dilatation_, i) = sum * at(weights_.dilates, i);
   }
 }
 
@@ -80,25 +90,34 @@ typename MpsBody<dim>::Acceleration MpsBody<dim>::internal_acceleration(Eigen::I
   for (Lanes& component : a.angular) component.setZero();
   a.spring_energy.setZero();
   const Rot rotation = rotation_at(i);
-  for (const Bond& bond : bonds_) {
+  for (std::size_t b = 0; b < bonds_.size(); ++b) {
+    const Bond& bond = bonds_[b];
+    const auto& weight = weights_.pairs[b];
     const Eigen::Index j = i + bond.shift;
-    const LaneVec<dim> unstrained = rotation.mean(rotation_at(j)).apply(bond.r0);
+    const typename Rot::Pair both = rotation.with(rotation_at(j));
+    const LaneVec<dim> unstrained = both.turn(bond.r0);
     LaneVec<dim> r = this->relative_displacement(i, j), force;
-    const Lanes present = at(present_, j);
-    const Lanes spring = bond.spring * present;
+    const Lanes spring = bond.spring * at(weight.spring, i), reach = at(weight.reach, i);
     Lanes square = Lanes::Constant(not_zero);
     for (int k = 0; k < dim; ++k) {
-      r[k] += bond.r0[k];
-      const Lanes u = r[k] - unstrained[k];
+      r[k] += bond.r0[k] * reach;
+      const Lanes u = r[k] - reach * unstrained[k];
       force[k] = spring * u;
       a.linear[k] += force[k];
       a.spring_energy += force[k] * u;
       square += r[k] * r[k];
     }
-    const auto couple = cross(r, force);
+    const auto couple = both.share(cross(r, force));
     for (int k = 0; k < Rot::spins; ++k) a.angular[k] += couple[k];
+    if (weights_.bending > 0) {
+      const Lanes stiffness = weights_.bending * spring;
+      const auto twist = both.twist();
+      for (int k = 0; k < Rot::spins; ++k) a.angular[k] += 2 * stiffness * twist[k];
+      a.spring_energy += 2 * stiffness * both.one_minus_cosine();
+    }
     if (!dilatational_) continue;
-    const Lanes pull = bond.pull * present * (at(dilatation_, i) + at(dilatation_, j)) * square.rsqrt();
+    const Lanes pull =
+        bond.pull * at(weight.stretch, i) * (at(dilatation_, i) + at(dilatation_, j)) * square.rsqrt();
     for (int k = 0; k < dim; ++k) a.linear[k] += pull * r[k];
   }
   // Half of each pair's couple, over the moment of inertia m l0^2 / 6 (S9, S10).
@@ -127,20 +146,59 @@ void MpsBody<dim>::move(double dt, double load_fraction) {
     std::array<Lanes, Rot::spins> angle;
     for (int k = 0; k < Rot::spins; ++k) angle[k] = dt * at(spin_[k], i);
     const Rot turned = rotation_at(i).turned(angle);
-    at(rotation_[0], i) = turned.c;
-    at(rotation_[1], i) = turned.s;
+    for (int k = 0; k < Rot::components; ++k) at(rotation_[k], i) = turned.q[k];
   }
 }
 
 template <int dim>
-void MpsBody<dim>::place(std::size_t particle, const Vec<dim>& displacement, double rotation,
-                         const Vec<dim>& velocity, double spin) {
+void MpsBody<dim>::place(std::size_t particle, const Vec<dim>& displacement, const Axial& rotation,
+                         const Vec<dim>& velocity, const Axial& spin) {
   Base::place(particle, displacement, velocity);
   const Eigen::Index i = grid_.slot(particle);
   if (turns_[i] == 0) return;
-  rotation_[0][i] = std::cos(rotation / 2);
-  rotation_[1][i] = std::sin(rotation / 2);
-  spin_[0][i] = spin;
+  const double angle = rotation.norm();
+  rotation_[0][i] = std::cos(angle / 2);
+  for (int k = 0; k < Rot::spins; ++k) {
+    rotation_[k + 1][i] = angle == 0 ? 0 : std::sin(angle / 2) * rotation[k] / angle;
+    spin_[k][i] = spin[k];
+  }
+}
+
+template <int dim>
+double MpsBody<dim>::highest_frequency() const {
+  // Coordinates of equal mass: displacements, and rotations times their radius of gyration.
+  const double gyration = stencil_.spacing / std::sqrt(6.0);
+  MpsBody moved = *this;
+  struct Unknown {
+    double* coordinate;
+    int component;  // of the acceleration, the angular ones last
+    Eigen::Index slot;
+  };
+  std::vector<Unknown> unknowns;
+  for (std::size_t p = 0; p < grid_.positions().size(); ++p) {
+    const Eigen::Index slot = grid_.slot(p);
+    for (int k = 0; k < dim; ++k)
+      if (free_[k][slot] != 0) unknowns.push_back({&moved.displacement_[k][slot], k, slot});
+    for (int k = 0; k < Rot::spins; ++k)
+      if (turns_[slot] != 0) unknowns.push_back({&moved.rotation_[k + 1][slot], dim + k, slot});
+  }
+  return particles::highest_frequency(unknowns.size(), [&](const Eigen::VectorXd& x) {
+    // Strains so small that their squares count nothing.
+    const double scale = 1e-7 * stencil_.spacing / x.norm();
+    for (std::size_t m = 0; m < unknowns.size(); ++m)
+      *unknowns[m].coordinate = scale * x[m] * (unknowns[m].component < dim ? 1 : 0.5 / gyration);
+    if (dilatational_) moved.measure_dilatation();
+    std::vector<Slots> a(dim + Rot::spins, Slots::Zero(grid_.slots()));
+    for (Eigen::Index i = grid_.first_slot(); i < grid_.last_slot(); i += grid_.lanes) {
+      const Acceleration lanes = moved.internal_acceleration(i);
+      for (int k = 0; k < dim; ++k) at(a[k], i) = lanes.linear[k];
+      for (int k = 0; k < Rot::spins; ++k) at(a[dim + k], i) = gyration * lanes.angular[k];
+    }
+    Eigen::VectorXd y(x.size());
+    for (std::size_t m = 0; m < unknowns.size(); ++m)
+      y[m] = -a[unknowns[m].component][unknowns[m].slot] / scale;
+    return y;
+  });
 }
 
 template <int dim>
@@ -156,15 +214,17 @@ Field MpsBody<dim>::acceleration() const {
 }
 
 template <int dim>
-double MpsBody<dim>::angular_momentum() const {
+typename MpsBody<dim>::Axial MpsBody<dim>::angular_momentum() const {
   const Field q = this->displacement(), v = this->velocity();
-  const double inertia = mass_ * stencil_.spacing * stencil_.spacing / 6;
-  double sum = 0;
+  const double gyration_squared = stencil_.spacing * stencil_.spacing / 6;
+  Axial sum = Axial::Zero();
   for (Eigen::Index p = 0; p < this->particles(); ++p) {
-    const Vec<dim> x = grid_.positions()[p] + q.col(p);
-    sum += mass_ * (x[0] * v(1, p) - x[1] * v(0, p)) + inertia * spin_[0][grid_.slot(p)];
+    const Vec<dim> x = grid_.positions()[p] + q.col(p), speed = v.col(p);
+    if constexpr (dim == 2) sum[0] += x[0] * speed[1] - x[1] * speed[0];
+    if constexpr (dim == 3) sum += x.cross(speed);
+    for (int k = 0; k < Rot::spins; ++k) sum[k] += gyration_squared * spin_[k][grid_.slot(p)];
   }
-  return sum;
+  return mass_ * sum;
 }
 
 template <int dim>
@@ -208,23 +268,33 @@ void MpsBody<dim>::restore(StateReader& state) {
   for (Slots& values : spin_) state.get(values);
 }
 
-std::unique_ptr<SolidModel> make_mps(const v1::Solid& solid, double spacing, const Vec<2>& gravity) {
-  const particles::Stencil<2> stencil = particles::full_stencil<2>(spacing, solid.mps().re());
-  const Elasticity material = elasticity_of<2>(solid);
-  const std::vector<double> damping = damping_rates<2>(solid);
-  particles::ParticleModel<2>::Bodies bodies;
-  for (int b = 0; b < solid.body_size(); ++b)
-    bodies.push_back(std::make_unique<MpsBody<2>>(
+template <int dim>
+std::unique_ptr<SolidModel> make_mps(const v1::Solid& solid, double spacing, const Vec<dim>& gravity) {
+  const v1::SolidMps& parameters = solid.mps();
+  const particles::Stencil<dim> stencil = particles::full_stencil<dim>(spacing, parameters.re());
+  const Elasticity material = elasticity_of<dim>(solid);
+  const std::vector<double> damping = damping_rates<dim>(solid);
+  typename particles::ParticleModel<dim>::Bodies bodies;
+  double highest = 0;
+  for (int b = 0; b < solid.body_size(); ++b) {
+    auto body = std::make_unique<MpsBody<dim>>(
         solid.body(b), b, stencil,
-        particles::Substance<2>{.material = material, .gravity = gravity, .damping_rate = damping[b]}));
-  return std::make_unique<particles::ParticleModel<2>>(
+        particles::Substance<dim>{.material = material, .gravity = gravity, .damping_rate = damping[b]},
+        parameters.pairs());
+    highest = std::max(highest, body->highest_frequency());
+    bodies.push_back(std::move(body));
+  }
+  return std::make_unique<particles::ParticleModel<dim>>(
       std::move(bodies), material, spacing,
-      particles::ParticleModel<2>::Steps{.key = "solid.mps",
-                                         .stable = 2 / particles::highest_frequency(stencil, material),
-                                         .fraction = solid.mps().step_fraction(),
-                                         .fixed = solid.mps().substep()});
+      typename particles::ParticleModel<dim>::Steps{.key = "solid.mps",
+                                                    .stable = 2 / highest,
+                                                    .fraction = parameters.step_fraction(),
+                                                    .fixed = parameters.substep()});
 }
 
 template class MpsBody<2>;
+template class MpsBody<3>;
+template std::unique_ptr<SolidModel> make_mps<2>(const v1::Solid&, double, const Vec<2>&);
+template std::unique_ptr<SolidModel> make_mps<3>(const v1::Solid&, double, const Vec<3>&);
 
 }  // namespace cosurge::mps

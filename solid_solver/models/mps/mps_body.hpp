@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "solid_solver/models/mps/pair_weights.hpp"
 #include "solid_solver/models/mps/rotation.hpp"
 #include "solid_solver/models/particles/particle_model.hpp"
 
@@ -10,14 +11,20 @@ namespace cosurge::mps {
 
 /// Explicit MPS solid (Song et al. 2001; Chikazawa et al. 2001): neighbours and weights of the reference
 /// configuration, springs between particles against the frame of the pair's mean rotation, a pressure from
-/// the dilatation, and an own rotation of every particle (docs/method_solid.md, S1 to S11). Linear and
+/// the dilatation, and an own rotation of every particle (docs/method_solid.md, section 1). Linear and
 /// angular momentum are conserved, and the energy up to the ripple of the symplectic Euler integrator. Arrays
 /// go over the slots of a BodyGrid; sums run over the neighbours in ascending order.
 template <int dim>
 class MpsBody : public particles::ParticleBody<dim> {
  public:
+  /// Components of a rotation.
+  using Axial = Eigen::Matrix<double, Rotation<dim>::spins, 1>;
+
   MpsBody(const v1::Body& body, int index, const particles::Stencil<dim>& stencil,
-          const particles::Substance<dim>& substance);
+          const particles::Substance<dim>& substance, v1::SolidMps::Pairs pairs);
+
+  /// Highest angular frequency of the undeformed body, rotations included [rad/s] (S12).
+  double highest_frequency() const;
 
   /// By the symplectic Euler scheme (S11).
   void advance(int substeps, double dt) override;
@@ -27,12 +34,13 @@ class MpsBody : public particles::ParticleBody<dim> {
 
   Field acceleration() const override;
 
-  /// Moves one free particle: displacement [m], rotation [rad], velocity [m/s], angular velocity [rad/s].
-  void place(std::size_t particle, const Vec<dim>& displacement, double rotation, const Vec<dim>& velocity,
-             double spin);
+  /// Moves one free particle: displacement [m], rotation vector [rad], velocity [m/s], angular velocity
+  /// [rad/s].
+  void place(std::size_t particle, const Vec<dim>& displacement, const Axial& rotation,
+             const Vec<dim>& velocity, const Axial& spin);
   using particles::ParticleBody<dim>::place;
 
-  double angular_momentum() const;  ///< about the origin, of the particles' motion and their spin [kg m2/s]
+  Axial angular_momentum() const;  ///< about the origin, of the particles' motion and their spin [kg m2/s]
 
   void save(StateWriter& state) const override;
   void restore(StateReader& state) override;
@@ -49,14 +57,14 @@ class MpsBody : public particles::ParticleBody<dim> {
     Eigen::Index shift;          // to the neighbour's slot
     std::array<double, dim> r0;  // [m]
     double length;               // [m]
-    double spring;               // 4 d mu w / (rho n0 r0^2) [1/s2]
-    double stretch;              // d w / (n0 r0): dilatation by elongation [1/m]
+    double spring;               // 4 d mu / (rho n0 r0^2), for the weight 1 [1/s2]
+    double stretch;              // d / (n0 r0): dilatation by elongation, for the weight 1 [1/m]
     double pull;                 // lambda / rho * stretch [m/s2]
   };
   struct Acceleration {
     LaneVec<dim> linear;
     std::array<Lanes, Rot::spins> angular;
-    Lanes spring_energy;  // sum of spring |u|^2 over the pairs [m2/s2]
+    Lanes spring_energy;  // twice the energy of the particle's pairs over its mass [m2/s2]
   };
 
   Rot rotation_at(Eigen::Index i) const;
@@ -65,6 +73,7 @@ class MpsBody : public particles::ParticleBody<dim> {
   void accelerate(double dt, double load_fraction);
   void move(double dt, double load_fraction);
 
+  PairWeights<dim> weights_;
   bool dilatational_;  // lambda > 0: without it there is no pressure, and no square root in the pair sums
   std::vector<Bond> bonds_;
   Slots turns_;  // 1 or 0: whether the particle may rotate
@@ -77,6 +86,7 @@ class MpsBody : public particles::ParticleBody<dim> {
 /// @param spacing l0 [m]
 /// @throws Error for a body without free particles or thinner than two, and for a sub-step beyond the stable
 /// one.
-std::unique_ptr<SolidModel> make_mps(const v1::Solid& solid, double spacing, const Vec<2>& gravity);
+template <int dim>
+std::unique_ptr<SolidModel> make_mps(const v1::Solid& solid, double spacing, const Vec<dim>& gravity);
 
 }  // namespace cosurge::mps

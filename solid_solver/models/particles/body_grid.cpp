@@ -128,6 +128,21 @@ bool BodyGrid<dim>::in_clamp(const Vec<dim>& x) const {
 }
 
 template <int dim>
+double BodyGrid<dim>::share_outside_clamps(const Vec<dim>& x, const Vec<dim>& r0) const {
+  double share = 1;
+  for (const Box<dim>& clamp : clamps_) {
+    if (!clamp.contains(x + r0)) continue;
+    double enters = 0;
+    for (int k = 0; k < dim; ++k) {
+      if (x[k] < clamp.min[k]) enters = std::max(enters, (clamp.min[k] - x[k]) / r0[k]);
+      if (x[k] > clamp.max[k]) enters = std::max(enters, (clamp.max[k] - x[k]) / r0[k]);
+    }
+    share = std::min(share, enters);
+  }
+  return share;
+}
+
+template <int dim>
 bool BodyGrid<dim>::in_box(const Vec<dim>& x) const {
   const Vec<dim> tolerance = Vec<dim>::Constant(coincide * spacing_);
   return Box<dim>(box_.min - tolerance, box_.max + tolerance).contains(x);

@@ -33,11 +33,15 @@ class BodyGrid {
   Eigen::Index last_slot() const { return last_; }    ///< first_slot plus a multiple of `lanes`
   Eigen::Index shift(const SiteIndex<dim>& offset) const;
 
+  /// The particle in a slot, or -1.
+  long particle_in(Eigen::Index slot) const { return particle_of_slot_[static_cast<std::size_t>(slot)]; }
   /// The particle at a point that coincides with its site, or -1.
   long particle_at(const Vec<dim>& x) const;
   /// Particles whose sites lie less than `radius` from a point.
   std::vector<std::size_t> particles_near(const Vec<dim>& x, double radius) const;
   bool in_clamp(const Vec<dim>& x) const;
+  /// Share of the way from x, outside the clamps, to x + r0 in one of them, before it enters that clamp.
+  double share_outside_clamps(const Vec<dim>& x, const Vec<dim>& r0) const;
   /// Whether x lies in the body's box, its faces included.
   bool in_box(const Vec<dim>& x) const;
 

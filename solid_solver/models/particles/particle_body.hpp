@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "common/state_bytes.hpp"
+#include "solid_solver/elasticity.hpp"
 #include "solid_solver/models/particles/body_grid.hpp"
 #include "solid_solver/models/particles/lanes.hpp"
 #include "solid_solver/solid_model.hpp"

@@ -99,26 +99,10 @@ void ParticleModel<dim>::check_motion(const Window& window) const {
 }
 
 template <int dim>
-Field ParticleModel<dim>::displacement() const {
+Field ParticleModel<dim>::of_bodies(Field (ParticleBody<dim>::*part)() const) const {
   Field all(dim, nodes());
   for (std::size_t b = 0; b < bodies_.size(); ++b)
-    all.middleCols(first_[b], bodies_[b]->particles()) = bodies_[b]->displacement();
-  return all;
-}
-
-template <int dim>
-Field ParticleModel<dim>::velocity() const {
-  Field all(dim, nodes());
-  for (std::size_t b = 0; b < bodies_.size(); ++b)
-    all.middleCols(first_[b], bodies_[b]->particles()) = bodies_[b]->velocity();
-  return all;
-}
-
-template <int dim>
-Field ParticleModel<dim>::ramp_increment() const {
-  Field all(dim, nodes());
-  for (std::size_t b = 0; b < bodies_.size(); ++b)
-    all.middleCols(first_[b], bodies_[b]->particles()) = bodies_[b]->ramp_increment();
+    all.middleCols(first_[b], bodies_[b]->particles()) = (*bodies_[b].*part)();
   return all;
 }
 

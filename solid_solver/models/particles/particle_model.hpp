@@ -33,9 +33,9 @@ class ParticleModel : public SolidModel {
   Interpolation interpolation(const Field& position, const std::vector<int>& body) const override;
   double substep() const override { return substep_; }
   int advance(const Window& window, const NodalLoad& load) override;
-  Field displacement() const override;
-  Field velocity() const override;
-  Field ramp_increment() const override;
+  Field displacement() const override { return of_bodies(&ParticleBody<dim>::displacement); }
+  Field velocity() const override { return of_bodies(&ParticleBody<dim>::velocity); }
+  Field ramp_increment() const override { return of_bodies(&ParticleBody<dim>::ramp_increment); }
   double max_speed() const override;
   Energies energies() const override;
   std::string save() const override;
@@ -47,6 +47,7 @@ class ParticleModel : public SolidModel {
 
   Row interpolation_row(const BodyGrid<dim>& grid, const Vec<dim>& x) const;
   void check_motion(const Window& window) const;
+  Field of_bodies(Field (ParticleBody<dim>::*part)() const) const;
 
   Bodies bodies_;
   Elasticity material_;

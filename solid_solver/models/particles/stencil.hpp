@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "common/vec.hpp"
-#include "solid_solver/elasticity.hpp"
 
 namespace cosurge::particles {
 
@@ -35,11 +34,5 @@ struct Stencil {
 /// @param re effective radius [l0]; sites at exactly this distance are no neighbours.
 template <int dim>
 Stencil<dim> full_stencil(double spacing, double re);
-
-/// Angular frequency [rad/s] that no motion of a body exceeds (docs/method_solid.md, S12): the
-/// particles' rotation, sqrt(24) c_s / l0, or where Poisson's ratio comes near 1/2 the shortest pressure
-/// waves.
-template <int dim>
-double highest_frequency(const Stencil<dim>& stencil, const Elasticity& material);
 
 }  // namespace cosurge::particles

@@ -48,10 +48,10 @@ int SprungModel<dim>::advance(const Window& window, const NodalLoad& load) {
 }
 
 template <int dim>
-Field SprungModel<dim>::displacement() const {
+Field SprungModel<dim>::of_bodies(Field (SprungBody<dim>::*part)() const) const {
   Field all(dim, nodes());
   for (std::size_t b = 0; b < bodies_.size(); ++b)
-    all.middleCols(static_cast<Eigen::Index>(b) * per_body, per_body) = bodies_[b].displacement();
+    all.middleCols(static_cast<Eigen::Index>(b) * per_body, per_body) = (bodies_[b].*part)();
   return all;
 }
 
@@ -67,22 +67,6 @@ std::vector<NodalMode> SprungModel<dim>::modes(int count) const {
       all.push_back({.shape = shape, .mass = mode.mass, .omega_squared = mode.omega_squared});
     }
   }
-  return all;
-}
-
-template <int dim>
-Field SprungModel<dim>::velocity() const {
-  Field all(dim, nodes());
-  for (std::size_t b = 0; b < bodies_.size(); ++b)
-    all.middleCols(static_cast<Eigen::Index>(b) * per_body, per_body) = bodies_[b].velocity();
-  return all;
-}
-
-template <int dim>
-Field SprungModel<dim>::ramp_increment() const {
-  Field all(dim, nodes());
-  for (std::size_t b = 0; b < bodies_.size(); ++b)
-    all.middleCols(static_cast<Eigen::Index>(b) * per_body, per_body) = bodies_[b].ramp_increment();
   return all;
 }
 

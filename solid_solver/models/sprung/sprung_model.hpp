@@ -20,9 +20,9 @@ class SprungModel : public SolidModel {
 
   /// Returns the largest number of sub-steps that a body's rotation took.
   int advance(const Window& window, const NodalLoad& load) override;
-  Field displacement() const override;
-  Field velocity() const override;
-  Field ramp_increment() const override;
+  Field displacement() const override { return of_bodies(&SprungBody<dim>::displacement); }
+  Field velocity() const override { return of_bodies(&SprungBody<dim>::velocity); }
+  Field ramp_increment() const override { return of_bodies(&SprungBody<dim>::ramp_increment); }
   double max_speed() const override;
   Energies energies() const override;
 
@@ -45,6 +45,8 @@ class SprungModel : public SolidModel {
     Vec<dim> position;
     typename SprungBody<dim>::Coefficients coefficients;
   };
+
+  Field of_bodies(Field (SprungBody<dim>::*part)() const) const;
 
   std::vector<SprungBody<dim>> bodies_;
   std::vector<Site> sites_;

@@ -11,7 +11,6 @@ namespace cosurge::mps {
 namespace {
 
 using particles::full_stencil;
-using particles::highest_frequency;
 using particles::weight;
 using test::l0;
 
@@ -21,7 +20,10 @@ struct Block {
   bool clamped = false;
   double young_modulus = 1e6;
   double poisson_ratio = 0.3;
+  v1::SolidMps::Pairs pairs = v1::SolidMps::paper;
 };
+
+using Axial = MpsBody<2>::Axial;
 
 Elasticity material_of(const Block& block) {
   return {.density = 2500, .young_modulus = block.young_modulus, .poisson_ratio = block.poisson_ratio};
@@ -32,12 +34,11 @@ MpsBody<2> make_body(const Block& block) {
   return {c.solid().body(0),
           0,
           full_stencil<2>(l0, 2.1),
-          {.material = material_of(block), .gravity = Vec<2>::Zero()}};
+          {.material = material_of(block), .gravity = Vec<2>::Zero()},
+          block.pairs};
 }
 
-double stable_step(const Block& block) {
-  return 2 / highest_frequency(full_stencil<2>(l0, 2.1), material_of(block));
-}
+double stable_step(const Block& block) { return 2 / make_body(block).highest_frequency(); }
 
 Vec<2> turned(const Vec<2>& x, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
@@ -48,7 +49,7 @@ Vec<2> turned(const Vec<2>& x, double angle) {
 void deform(MpsBody<2>& body, const Mat<2>& F, double angle) {
   for (std::size_t p = 0; p < body.grid().positions().size(); ++p) {
     const Vec<2>& X = body.grid().positions()[p];
-    body.place(p, F * X - X, angle, Vec<2>::Zero(), 0);
+    body.place(p, F * X - X, Axial(angle), Vec<2>::Zero(), Axial(0));
   }
 }
 
@@ -88,7 +89,7 @@ TEST(MpsBody, AccelerationIsThePairSumOfTheMethod) {
   for (std::size_t p = 0; p < body.grid().positions().size(); ++p) {
     angle.push_back(unit(random));
     const double x = unit(random), y = unit(random);
-    body.place(p, Vec<2>(0.3 * l0 * x, 0.3 * l0 * y), angle.back(), Vec<2>::Zero(), 0);
+    body.place(p, Vec<2>(0.3 * l0 * x, 0.3 * l0 * y), Axial(angle.back()), Vec<2>::Zero(), Axial(0));
   }
   const Field expected = pairwise_acceleration(block, body, angle);
   const double scale = expected.cwiseAbs().maxCoeff();
@@ -124,7 +125,7 @@ TEST(MpsBody, EnergyOfAFreeBodyIsConserved) {
     // A smooth motion, which the scheme resolves: the longest standing wave of the block.
     for (std::size_t p = 0; p < body.grid().positions().size(); ++p) {
       const Vec<2>& X = body.grid().positions()[p];
-      body.place(p, Vec<2>::Zero(), 0, Vec<2>(0.3 * std::cos(std::numbers::pi * X[0] / (12 * l0)), 0), 0);
+      body.place(p, Vec<2>::Zero(), Vec<2>(0.3 * std::cos(std::numbers::pi * X[0] / (12 * l0)), 0));
     }
     const double dt = 0.2 * stable_step(block);
     const Energies start = body.energies(dt);
@@ -142,7 +143,7 @@ double bar_period(const Block& block, double dt, int crossings_wanted) {
   const double length = block.rows * l0;
   for (std::size_t p = 0; p < body.grid().positions().size(); ++p) {
     const double shape = std::cos(std::numbers::pi * body.grid().positions()[p][1] / length);
-    body.place(p, Vec<2>(0, 1e-5 * l0 * shape), 0, Vec<2>::Zero(), 0);
+    body.place(p, Vec<2>(0, 1e-5 * l0 * shape), Vec<2>::Zero());
   }
   const auto amplitude = [&] {
     const Field q = body.displacement();

@@ -79,8 +79,11 @@ TEST(SolidParticipant, VelocityIsTheMeanOverTheWindow) {
 TEST(SolidParticipant, SubStepsStayBelowTheStableStep) {
   v1::Case c = test::plate({.rows = 20});
   LoadedSolid run(c, {});
-  const double stable = 2 / std::sqrt(24.0) * l0 / std::sqrt(1e6 / 2 / 2500);
-  EXPECT_NEAR(run.setup.substep / (0.7 * stable), 1, 1e-12);  // the same formula
+  const double stable = run.setup.substep / 0.7;
+  // That of the rotations in the endless lattice; springs of a body's own weights are up to 7 % faster.
+  const double lattice = 2 / std::sqrt(24.0) * l0 / std::sqrt(1e6 / 2 / 2500);
+  EXPECT_LE(stable / lattice, 1);
+  EXPECT_GE(stable / lattice, 0.93);
   const double window = 10.001 * run.setup.substep;
   EXPECT_EQ(run.value(run.advance(window), "substeps"), 11);
   EXPECT_EQ(run.value(run.advance(10 * run.setup.substep), "substeps"), 10);

@@ -1,0 +1,17 @@
+// The fastest motion of a body, which limits explicit steps.
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+
+namespace cosurge::particles {
+
+/// Highest angular frequency [rad/s] of x'' = -K x by Lanczos iteration, at most 1e-4 too high and not too
+/// low: explicit steps are stable up to 2 over it.
+/// @param unknowns length of x
+/// @param stiffness x -> K x, symmetric
+/// @throws NumericalError where the iteration finds none
+double highest_frequency(std::size_t unknowns,
+                         const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& stiffness);
+
+}  // namespace cosurge::particles
