@@ -1,63 +1,23 @@
 #include "coupler/certify_command.hpp"
 
 #include <cmath>
-#include <fstream>
 #include <limits>
 
-#include "common/case_file.hpp"
-#include "common/convert.hpp"
-#include "common/lattice.hpp"
-#include "common/version.hpp"
+#include "coupler/certify/abuse.hpp"
 #include "coupler/launcher.hpp"
 
 namespace cosurge {
 namespace {
 
-constexpr double size = 1e-4;        // of the windows [s]
+using certify::Abuse;
+using certify::points_of_plate;
+using certify::scene_for;
+using certify::size;
+using certify::to_end;
+
 constexpr double rounding = 1e-9;    // of what must be equal but for rounding
 constexpr double linear = 1e-3;      // of what must be equal where the structure is linear: loads are small
 constexpr double small_load = 1e-3;  // [N]
-constexpr std::chrono::seconds to_end{10};
-
-constexpr const char* scene = R"(title = "Certification"
-gravity = [0.0, 0.0]
-time = { end = 0.01, window = 1e-4 }
-[fluid]
-spacing = 0.004
-tank = { min = [0.0, 0.0], max = [0.3, 0.2] }
-water = [{ min = [0.0, 0.0], max = [0.1, 0.1] }]
-[solid]
-density = 2500.0
-young_modulus = 1e6
-[[solid.body]]
-box = { min = [0.148, 0.0], max = [0.16, 0.08] }
-clamp = [{ min = [0.148, -0.016], max = [0.16, 0.0] }]
-)";
-
-v1::Case scene_for(const CertifyOptions& options, const std::filesystem::path& folder) {
-  const auto file = folder / "case.toml";
-  std::ofstream(file) << scene;
-  std::vector<std::string> overrides = options.overrides;
-  if (options.role == Role::fluid) overrides.emplace_back("gravity.1=-9.81");
-  return load_case(file.string(), overrides);
-}
-
-/// The lattice points of the plate, with the areas of its sides and its top.
-Interface points_of_plate(const v1::Case& c) {
-  const Box<2> box(c.solid().body(0).box());
-  const double l0 = c.fluid().spacing();
-  const std::vector<Vec<2>> sites = fill(box, l0);
-  const auto count = static_cast<Eigen::Index>(sites.size());
-  Interface points{.dimension = 2, .position = Field(2, count), .area = Field::Zero(2, count), .body = {}};
-  for (Eigen::Index k = 0; k < count; ++k) {
-    const Vec<2>& x = sites[static_cast<std::size_t>(k)];
-    points.position.col(k) = x;
-    points.area(0, k) = x[0] < box.min[0] + l0 ? -l0 : x[0] > box.max[0] - l0 ? l0 : 0;
-    points.area(1, k) = x[1] > box.max[1] - l0 ? l0 : 0;
-    points.body.push_back(0);
-  }
-  return points;
-}
 
 /// One start of the program, with which the coupler speaks as in a run.
 struct Trial {
@@ -224,110 +184,6 @@ void moves_and_works_consistently(const CertifyOptions& options) {
 }
 
 // Runs that are wrong
-
-/// One start of the program, to which anything can be sent.
-class Abuse {
- public:
-  explicit Abuse(const CertifyOptions& options, const std::string& token = new_token())
-      : channel_(Channel::listen(fmt::format("ipc://{}/wire", folder_.path().string()),
-                                 {.peer = "the program", .patience = options.patience})),
-        token_(token),
-        process_(start(options)) {
-    channel_.set_peer_ended([this] { return process_.ended(); });
-    channel_.receive(reply_, "its hello");
-    require(reply_.has_hello(), "its first message is no hello");
-  }
-
-  /// Sends a request with the next number, and receives the answer to it.
-  const v1::Reply& ask(v1::Request request) {
-    request.set_sequence(++sequence_);
-    channel_.send(request);
-    channel_.receive(reply_, "its answer");
-    return reply_;
-  }
-
-  void welcome() {
-    v1::Request request;
-    request.mutable_welcome()->set_protocol(protocol_version);
-    request.mutable_welcome()->set_program("cosurge");
-    request.mutable_welcome()->set_version(version);
-    request.mutable_welcome()->set_token(token_);
-    require(ask(request).has_done(), "does not answer Welcome with Done");
-  }
-
-  v1::Request initialize(const CertifyOptions& options) const {
-    v1::Request request;
-    const v1::Case c = scene_for(options, folder_.path());
-    *request.mutable_initialize()->mutable_the_case() = c;
-    if (options.role == Role::solid) {
-      const Interface points = points_of_plate(c);
-      encode(points, *request.mutable_initialize()->mutable_interface());
-      encode_load(Surface::at_rest(2, points.points()), *request.mutable_initialize()->mutable_load());
-    }
-    return request;
-  }
-
-  /// A window with what the program itself has said at the start.
-  v1::Request advance(const CertifyOptions& options) const {
-    v1::Request request;
-    encode(Window{.index = 0, .start = 0, .size = size}, *request.mutable_advance()->mutable_window());
-    const int numbers = options.role == Role::solid ? 2 * 3 * 20 : reply_.initialized().load().force_size();
-    if (options.role == Role::solid) {
-      request.mutable_advance()->mutable_load()->mutable_force()->Resize(numbers, 0.0);
-      request.mutable_advance()->mutable_load()->mutable_pressure()->Resize(numbers / 2, 0.0);
-    } else {
-      request.mutable_advance()->mutable_motion()->mutable_displacement()->Resize(numbers, 0.0);
-      request.mutable_advance()->mutable_motion()->mutable_velocity()->Resize(numbers, 0.0);
-    }
-    return request;
-  }
-
-  static google::protobuf::RepeatedField<double>& numbers_of(v1::Request& request) {
-    v1::Advance& advance = *request.mutable_advance();
-    return advance.has_load() ? *advance.mutable_load()->mutable_force()
-                              : *advance.mutable_motion()->mutable_velocity();
-  }
-
-  void send(v1::Request request, int skip = 0) {
-    request.set_sequence(sequence_ += 1 + static_cast<std::uint64_t>(skip));
-    channel_.send(request);
-  }
-  void send_bytes(const std::string& bytes) { channel_.send_bytes(bytes); }
-
-  /// The program must fail by itself within some seconds, with a Failure in words where `says_so`.
-  void expect_failure(bool says_so) {
-    try {
-      channel_.receive(reply_, "its Failure");
-      require(reply_.has_failure(), "goes on as if nothing were wrong");
-      require(!reply_.failure().what().empty(), "fails without a word");
-    } catch (const PeerLost&) {
-      require(!says_so, "ends without a Failure");
-    }
-    const auto start = std::chrono::steady_clock::now();
-    while (!process_.ended() && std::chrono::steady_clock::now() - start < to_end)
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    require(process_.ended().has_value(), "still runs {} s later", to_end.count());
-    require(!process_.stop(std::chrono::milliseconds(0)), "ends with exit code 0");
-  }
-
- private:
-  SolverProcess start(const CertifyOptions& options) const {
-    const auto file = folder_.path() / "connection";
-    write_connection(
-        {.role = options.role, .endpoint = channel_.endpoint(), .token = token_, .server_key = {}}, file);
-    std::vector<std::string> arguments(options.command.begin() + 1, options.command.end());
-    arguments.insert(arguments.end(), {"--connect", file.string(), "--threads", "1"});
-    return SolverProcess(
-        {.program = options.command.front(), .arguments = arguments, .log = folder_.path() / "log"});
-  }
-
-  RunFolder folder_;
-  Channel channel_;
-  std::string token_;
-  SolverProcess process_;
-  std::uint64_t sequence_ = 0;
-  v1::Reply reply_;
-};
 
 void accepts_a_refusal(const CertifyOptions& options) {
   Abuse abuse(options);

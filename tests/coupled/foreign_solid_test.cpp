@@ -38,6 +38,13 @@ TEST_P(OwnModel, IsCertified) {
   EXPECT_EQ(status, 0) << output;
 }
 
+TEST(Certificate, ABodyOnSpringsHasIt) {
+  const auto [status, output] = certify({"--set", "solid.model=sprung", "--set",
+                                         R"(solid.sprung.spring=[{ motion = "x", stiffness = 1e3 }])", "--",
+                                         fs::path(COSURGE_PROGRAMS) / "solid_solver"});
+  EXPECT_EQ(status, 0) << output;
+}
+
 TEST(Certificate, OurFluidHasIt) {
   const auto [status, output] =
       certify({"--role", "fluid", "--", fs::path(COSURGE_PROGRAMS) / "fluid_solver"});

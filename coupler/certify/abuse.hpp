@@ -1,0 +1,49 @@
+// A coupler that does what it must not.
+#pragma once
+
+#include <string>
+
+#include "common/channel.hpp"
+#include "coupler/certify/scene.hpp"
+#include "coupler/launcher.hpp"
+#include "coupler/solver_process.hpp"
+
+namespace cosurge::certify {
+
+/// One start of the program, to which anything can be sent.
+class Abuse {
+ public:
+  explicit Abuse(const CertifyOptions& options);
+
+  /// Sends a request with the next number, and receives the answer to it.
+  const v1::Reply& ask(v1::Request request);
+
+  void welcome();
+  v1::Request initialize(const CertifyOptions& options) const;
+
+  /// A window with what the program itself has said at the start.
+  v1::Request advance(const CertifyOptions& options) const;
+
+  /// The forces or the velocities of a window's request.
+  static google::protobuf::RepeatedField<double>& numbers_of(v1::Request& request);
+
+  /// @param skip so many numbers are left out before the request's own
+  void send(v1::Request request, int skip = 0);
+  void send_bytes(const std::string& bytes) { channel_.send_bytes(bytes); }
+
+  /// The program must fail by itself within some seconds, with a Failure in words where `says_so`.
+  /// @throws Error where it does not
+  void expect_failure(bool says_so);
+
+ private:
+  SolverProcess start(const CertifyOptions& options) const;
+
+  RunFolder folder_;
+  Channel channel_;
+  std::string token_;
+  SolverProcess process_;
+  std::uint64_t sequence_ = 0;
+  v1::Reply reply_;
+};
+
+}  // namespace cosurge::certify
