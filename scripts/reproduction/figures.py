@@ -161,3 +161,13 @@ def convergence(rows):
     axes.set(xlabel="spacing [mm]", ylabel="largest tip displacement [mm]", xlim=(0, None))
     axes.legend(fontsize=8)
     return figure
+
+
+def swapped(histories):
+    """Tips of one scene with each model of the structure."""
+    figure, axes = plt.subplots(layout="constrained", figsize=(8, 4))
+    for label, history in histories.items():
+        axes.plot(history.time, 1000 * history.tip, lw=1.2, label=label)
+    axes.set(xlabel="t [s]", ylabel="displacement of the tip [mm]", title="20 MPa, 2 mm", xlim=(0.1, None))
+    axes.legend()
+    return figure

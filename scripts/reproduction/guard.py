@@ -6,8 +6,9 @@ import measures
 import runs
 
 BANDS = {
-    "reduced_verification": {"front_s": (0.122, 0.130), "first_motion_s": (0.130, 0.145), "tip_peak_m": (0.0455, 0.0495),
-                             "tip_peak_s": (0.215, 0.240), "tip_mean_0.4_to_0.6_m": (0.0135, 0.0195),
+    "reduced_verification": {"front_s": (0.122, 0.130), "first_motion_s": (0.130, 0.145),
+                             "tip_peak_m": (0.0455, 0.0495), "tip_peak_s": (0.215, 0.240),
+                             "tip_mean_0.4_to_0.6_m": (0.0135, 0.0195),
                              "P01_noise": (0.0, 0.08), "created_over_work": (-0.05, 0.05)},
     "reduced_20MPa": {"P01_peak": (1.35, 1.75), "P02_peak": (1.10, 1.50), "P01_impulse_first": (1.18, 1.30),
                       "tip_over_thickness": (0.42, 0.62), "P01_noise": (0.0, 0.08)},

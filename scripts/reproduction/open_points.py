@@ -50,7 +50,8 @@ def write(study):
     """Part of the page."""
     parts = ["## What the paper left open\n"]
     if any(runs_with(study, 2e10, substep) is not None for substep in (1e-6, 5e-7, 5e-8)):
-        parts += ["Which sub-step went with which stiffness: a plate of `mps` on 1 mm, 4000 sub-steps.\n", substeps(study)]
+        parts += ["Which sub-step went with which stiffness: a plate of `mps` on 1 mm, 4000 sub-steps.\n",
+                  substeps(study)]
     tips = {}
     for name in ("area", "volume"):
         run = next(run for run in runs.open_points() if run.name == f"open_{name}")
@@ -58,13 +59,13 @@ def write(study):
             with h5py.File(study.folder_of(run) / "results.h5") as file:
                 tips[name] = 1000 * np.abs(file["history/solid/tip_x"][:]).max()
     if len(tips) == 2:
-        parts.append(f"Equation (1) with l0^(d-1), an area, bends the tip by {tips['area']:.1f} mm (1 MPa, 4 mm); with l0^d as printed, "
-                     f"{tips['volume']:.2f} mm.\n")
+        parts.append(f"Equation (1) with l0^(d-1), an area, bends the tip by {tips['area']:.1f} mm (1 MPa, 4 mm); with "
+                     f"l0^d as printed, {tips['volume']:.2f} mm.\n")
     for name, spacing in (("verification_paper_1mm", 0.001), ("verification_recommended_2mm", 0.002)):
         if (study.folder / name / "results.h5").exists():
             angles = normals(study.folder / name, spacing, 0.23)
-            parts.append(f"Equation (2): at 0.23 s, along the wet face of `{name}`, the normal by F^-T n is off the true one by "
-                         f"{np.max(angles['F^-T n']):.1f} degrees at most, by F^T n as printed by "
+            parts.append(f"Equation (2): at 0.23 s, along the wet face of `{name}`, the normal by F^-T n is off the "
+                         f"true one by {np.max(angles['F^-T n']):.1f} degrees at most, by F^T n as printed by "
                          f"{np.max(angles['F^T n']):.0f} degrees.\n")
             break
     return "\n".join(parts)

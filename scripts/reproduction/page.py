@@ -167,9 +167,31 @@ def finite_width(study, out):
     summary = study.summary(run)
     spent = sum(part["seconds"]["cpu"] for part in summary["participants"].values())
     return ("## Three dimensions: a plate of finite width\n\n"
-            f"`cases/dam_break_plate_3d`, 8 mm, {summary['participants']['fluid']['particles']} particles of water and walls: the middle "
-            f"slice. The tip goes to {1000 * tip.max():.1f} mm at {recorded.time[tip.argmax()]:.3f} s; {spent:.0f} core seconds.\n\n"
+            f"`cases/dam_break_plate_3d`, 8 mm, {summary['participants']['fluid']['particles']} particles of water and "
+            f"walls: the middle slice. The tip goes to {1000 * tip.max():.1f} mm at "
+            f"{recorded.time[tip.argmax()]:.3f} s; {spent:.0f} core seconds.\n\n"
             "![finite width](finite_width.png)\n")
+
+
+def swapped(numbers, out):
+    """Part of the page: the same scene with each model of the structure, by one word."""
+    names = {"fem": "recommended_2mm", "modal": "modal", "hamiltonian": "hamiltonian", "mps": "mps"}
+    names = {model: f"chart_20MPa_{name}" for model, name in names.items() if f"chart_20MPa_{name}" in numbers.rows}
+    if len(names) < 2:
+        return ""
+    figure = figures.swapped({model: numbers.histories[name] for model, name in names.items()})
+    figure.savefig(out / "swapped.png", dpi=90)
+    figures.plt.close(figure)
+    reference = numbers.rows[next(iter(names.values()))]["tip_peak_m"]
+    lines = []
+    for model, name in names.items():
+        row = numbers.rows[name]
+        solid = numbers.study.begun(next(run for run in runs.chart() if run.name == name))["participants"]["solid"]
+        lines.append([model, f"{1000 * row['tip_peak_m']:.2f}", number(row["tip_peak_s"], 4),
+                      f"{100 * (row['tip_peak_m'] / reference - 1):+.1f} %", number(solid["seconds"]["cpu"])])
+    header = ["model", "largest tip [mm]", "at [s]", f"off {next(iter(names))}", "core seconds of the solid"]
+    return ("## Another structure by one word\n\n20 MPa, 2 mm, `--set solid.model=...`.\n\n" + table(header, lines) +
+            "\n![tips with each model](swapped.png)\n")
 
 
 def draw(out, numbers, found):
@@ -239,5 +261,6 @@ def write(study, out):
                       filters(numbers.histories[f"stiffness_{settings}_20MPa_{spacing}"])]
     parts += ["## Scatter of the peaks, 2 mm\n",
               "Starts that differ by a ten-thousandth of gravity, sideways: mean and standard deviation.\n",
-              scatter(numbers), open_points.write(study), finite_width(study, out), chart.write(numbers, out)]
+              scatter(numbers), open_points.write(study), swapped(numbers, out), finite_width(study, out),
+              chart.write(numbers, out)]
     (out / "README.md").write_text("\n".join(part for part in parts if part))
