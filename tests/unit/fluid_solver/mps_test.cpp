@@ -152,8 +152,8 @@ void expect_free_fall(const v1::Fluid& fluid, double dt) {
   for (int i = 0; i < mps.particles().size(); ++i) {
     if (mps.particles().kind[i] != Kind::fluid) continue;
     const Vec<dim> fallen = mps.particles().x[i] - start[mps.particles().id[i]];
-    // The densities of the lattice differ from n0 by rounding, of the matrix's single precision where the source
-    // has its density; the pressures that they cause move nothing else.
+    // The densities of the lattice differ from n0 by rounding, of the matrix's single precision where the
+    // source has its density; the pressures that they cause move nothing else.
     const double rounding = fluid.source() == v1::Fluid::deviation ? 1e-9 : 1e-7;
     EXPECT_LT((fallen - path * Vec<dim>(-Vec<dim>::Unit(dim - 1))).norm(), rounding * fluid.spacing());
   }
@@ -259,8 +259,8 @@ double floor_pressure(v1::Fluid::Source source) {
 
 // The whole weight of the water, once: a source that saw the prediction's fall onto the floor, beside the
 // Neumann condition, would give it twice. Too high by one spacing of water: the support of the Laplacian ends
-// at the surface layer (see PoissonEquation), and for the density, which the prediction's fall by g dt^2 raises
-// in the lowest layers, by gamma, and by 2 % where the time scale is c / l0 = 200 / s.
+// at the surface layer (see PoissonEquation), and for the density, which the prediction's fall by g dt^2
+// raises in the lowest layers, by gamma, and by 2 % where the time scale is c / l0 = 200 / s.
 TEST(MpsStep, TheFirstPressureOfWaterAtRestIsHydrostatic) {
   for (const auto source : {v1::Fluid::deviation, v1::Fluid::mixed, v1::Fluid::time_scale})
     EXPECT_NEAR(floor_pressure(source), 1 + l0 / 0.2, 0.025) << source;
