@@ -69,7 +69,7 @@ def verification(numbers):
     names = {"the paper's settings, 1 mm": "verification_paper_1mm",
              "recommended, 1 mm": "verification_recommended_1mm", "recommended, 2 mm": "verification_recommended_2mm",
              "public code's gamma and alpha, 1 mm": "verification_public_code_1mm",
-             "the same, 2 mm": "verification_public_code_2mm"}
+             "public code's gamma and alpha, 2 mm": "verification_public_code_2mm"}
     names = {label: name for label, name in names.items() if name in numbers.rows}
     rows = []
     for key, what, limits, _ in paper.VERIFICATION:
@@ -86,8 +86,11 @@ def verification(numbers):
 def by_spacing(numbers):
     found = {}
     for settings in ("recommended", "paper"):
-        row = {size: numbers.rows.get(f"verification_{settings}_{size:g}mm") for size in (4, 2, 1, 0.5)}
-        row = {size: one for size, one in row.items() if one}
+        row = {}
+        for size in (4, 2, 1, 0.5):
+            for name in (f"verification_{settings}_{size:g}mm", f"chart_1MPa_{settings}_{size:g}mm"):
+                if size not in row and name in numbers.rows:
+                    row[size] = numbers.rows[name]
         if row:
             found[LABELS[settings]] = row
     return found
@@ -260,7 +263,7 @@ def write(study, out):
             parts += ["The peak at P01 at 20 MPa by the filter:\n",
                       filters(numbers.histories[f"stiffness_{settings}_20MPa_{spacing}"])]
     parts += ["## Scatter of the peaks, 2 mm\n",
-              "Starts that differ by a ten-thousandth of gravity, sideways: mean and standard deviation.\n",
+              "Starts that differ by ten-thousandths of gravity, sideways: mean and standard deviation.\n",
               scatter(numbers), open_points.write(study), swapped(numbers, out), finite_width(study, out),
               chart.write(numbers, out)]
     (out / "README.md").write_text("\n".join(part for part in parts if part))

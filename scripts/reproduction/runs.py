@@ -28,6 +28,8 @@ def paper_plate(stiffness):
 
 
 def dam_break(name, settings, spacing, end):
+    if spacing == 0.004:  # does not divide the column's 146 mm
+        settings = settings | {"fluid.water.0.max": "[0.148, 0.292]"}
     return Run(name, "dam_break_plate", settings | {"fluid.spacing": spacing, "time.end": end} | FRAMES)
 
 
@@ -124,8 +126,7 @@ def open_points():
             yield Run(substep_name(modulus, substep), "cantilever", settings)
     # Forces l0 times smaller act like a plate that is stiffer and heavier by as much.
     for name, factor in (("area", 1), ("volume", 1 / 0.004)):
-        settings = {"fluid.water.0.max": "[0.148,0.292]", "solid.young_modulus": 1e6 * factor,
-                    "solid.density": 2500 * factor}
+        settings = {"solid.young_modulus": 1e6 * factor, "solid.density": 2500 * factor}
         yield dam_break(f"open_{name}", settings, 0.004, 0.3)
     # The paper's tips are smaller than ours, its loads are not: a plate that is stiffer by one factor?
     yield dam_break("open_stiffer_1MPa", {"solid.young_modulus": STIFFER * 1e6}, 0.002, 0.4)
