@@ -25,6 +25,13 @@ struct Effort {
   bool converged = true;  ///< false: a scheme that iterates has given up; the last iteration counts
 };
 
+/// The effort of one exchange, in which the water saw the velocity `seen` and the structure answered
+/// `answered`.
+inline Effort one_exchange(const Field& seen, const Field& answered) {
+  const double norm = answered.norm();
+  return {.iterations = 1, .residual = norm > 0 ? (answered - seen).norm() / norm : 0, .note = {}};
+}
+
 class Scheme {
  public:
   virtual ~Scheme() = default;

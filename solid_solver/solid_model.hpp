@@ -30,6 +30,13 @@ struct Energies {
   double kinetic = 0;  ///< [J], per metre of width in two dimensions
   double elastic = 0;  ///< [J]
   double gravity = 0;  ///< [J] zero in the reference configuration
+
+  Energies& operator+=(const Energies& other) {
+    kinetic += other.kinetic;
+    elastic += other.elastic;
+    gravity += other.gravity;
+    return *this;
+  }
 };
 
 /// A discretised structure. Motion is that of the nodes relative to the reference configuration.

@@ -13,8 +13,7 @@ Reports Weak::advance(const Window& window, Surface& surface, InterfaceAccount& 
   account.close(surface, seen, window);
   prediction_.passed(before, window);
   ratio_.passed(surface.velocity, window);
-  const double norm = surface.velocity.norm();
-  effort_.residual = norm > 0 ? (surface.velocity - seen).norm() / norm : 0;
+  effort_ = one_exchange(seen, surface.velocity);
   return reports;
 }
 

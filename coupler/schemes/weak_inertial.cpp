@@ -19,8 +19,7 @@ Reports WeakInertial::advance(const Window& window, Surface& surface, InterfaceA
   const Report solid = participants_.solid->advance(attempt, surface);
   account.close(surface, seen, window);
   ratio_.passed(surface.velocity, window);
-  const double norm = surface.velocity.norm();
-  effort_.residual = norm > 0 ? (surface.velocity - seen).norm() / norm : 0;
+  effort_ = one_exchange(seen, surface.velocity);
   return {fluid, solid};
 }
 

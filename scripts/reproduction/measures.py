@@ -4,6 +4,7 @@ import json
 import h5py
 import numpy as np
 from scipy.signal import butter, sosfiltfilt
+from study import core_seconds
 
 GRAVITY, DENSITY, HEIGHT, THICKNESS = 9.81, 1000.0, 0.292, 0.012
 PRESSURE = DENSITY * GRAVITY * HEIGHT  # Pa, Cp = 1
@@ -89,13 +90,12 @@ def tip_numbers(history):
 
 def numbers(history, summary):
     arrived = history.front >= 0.292 - 1e-3
-    spent = sum(part["seconds"]["cpu"] for part in summary["participants"].values())
     row = {"front_s": history.time[arrived.argmax()] if arrived.any() else np.nan}
     row |= tip_numbers(history)
     for name in ("P01", "P02"):
         row |= pressure_numbers(history, name)
     row |= {"created_over_work": history.created[-1] / np.abs(history.work).max() if history.work.any() else 0.0,
-            "windows": summary["windows"], "core_s": spent, "wall_s": summary["wall_seconds"]}
+            "windows": summary["windows"], "core_s": core_seconds(summary), "wall_s": summary["wall_seconds"]}
     return row
 
 

@@ -12,7 +12,7 @@ import open_points
 import paper
 import plot_run
 import runs
-from study import ROOT
+from study import ROOT, core_seconds
 
 CASE_FOLDER = ROOT / "cases/dam_break_plate"
 FAMILIES = [("recommended", "1mm"), ("recommended", "2mm"), ("paper", "1mm"), ("paper", "2mm")]
@@ -168,11 +168,10 @@ def finite_width(study, out):
     figures.plt.close(figure)
     tip = recorded.history["solid/tip_x"]
     summary = study.summary(run)
-    spent = sum(part["seconds"]["cpu"] for part in summary["participants"].values())
     return ("## Three dimensions: a plate of finite width\n\n"
             f"`cases/dam_break_plate_3d`, 8 mm, {summary['participants']['fluid']['particles']} particles of water and "
             f"walls: the middle slice. The tip goes to {1000 * tip.max():.1f} mm at "
-            f"{recorded.time[tip.argmax()]:.3f} s; {spent:.0f} core seconds.\n\n"
+            f"{recorded.time[tip.argmax()]:.3f} s; {core_seconds(summary):.0f} core seconds.\n\n"
             "![finite width](finite_width.png)\n")
 
 

@@ -254,26 +254,13 @@ void HamiltonianBody<dim>::restore(StateReader& state) {
 template <int dim>
 std::unique_ptr<SolidModel> make_hamiltonian(const v1::Solid& solid, double spacing,
                                              const Vec<dim>& gravity) {
-  const v1::SolidHamiltonian& parameters = solid.hamiltonian();
-  const particles::Stencil<dim> stencil = particles::full_stencil<dim>(spacing, parameters.re());
-  const Elasticity material = elasticity_of<dim>(solid);
-  const std::vector<double> damping = damping_rates<dim>(solid);
-  typename particles::ParticleModel<dim>::Bodies bodies;
-  double highest = 0;
-  for (int b = 0; b < solid.body_size(); ++b) {
-    auto body = std::make_unique<HamiltonianBody<dim>>(
-        solid.body(b), b, stencil,
-        particles::Substance<dim>{.material = material, .gravity = gravity, .damping_rate = damping[b]},
-        parameters.stabilisation());
-    highest = std::max(highest, body->highest_frequency());
-    bodies.push_back(std::move(body));
-  }
-  return std::make_unique<particles::ParticleModel<dim>>(
-      std::move(bodies), material, spacing,
-      typename particles::ParticleModel<dim>::Steps{.key = "solid.hamiltonian",
-                                                    .stable = 2 / highest,
-                                                    .fraction = parameters.step_fraction(),
-                                                    .fixed = parameters.substep()});
+  return particles::make_particle_model<dim>(
+      solid, spacing, gravity, solid.hamiltonian(), "solid.hamiltonian",
+      [&](const v1::Body& body, int number, const particles::Stencil<dim>& stencil,
+          const particles::Substance<dim>& substance) {
+        return std::make_unique<HamiltonianBody<dim>>(body, number, stencil, substance,
+                                                      solid.hamiltonian().stabilisation());
+      });
 }
 
 template class HamiltonianBody<2>;

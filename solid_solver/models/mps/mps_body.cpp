@@ -270,26 +270,12 @@ void MpsBody<dim>::restore(StateReader& state) {
 
 template <int dim>
 std::unique_ptr<SolidModel> make_mps(const v1::Solid& solid, double spacing, const Vec<dim>& gravity) {
-  const v1::SolidMps& parameters = solid.mps();
-  const particles::Stencil<dim> stencil = particles::full_stencil<dim>(spacing, parameters.re());
-  const Elasticity material = elasticity_of<dim>(solid);
-  const std::vector<double> damping = damping_rates<dim>(solid);
-  typename particles::ParticleModel<dim>::Bodies bodies;
-  double highest = 0;
-  for (int b = 0; b < solid.body_size(); ++b) {
-    auto body = std::make_unique<MpsBody<dim>>(
-        solid.body(b), b, stencil,
-        particles::Substance<dim>{.material = material, .gravity = gravity, .damping_rate = damping[b]},
-        parameters.pairs());
-    highest = std::max(highest, body->highest_frequency());
-    bodies.push_back(std::move(body));
-  }
-  return std::make_unique<particles::ParticleModel<dim>>(
-      std::move(bodies), material, spacing,
-      typename particles::ParticleModel<dim>::Steps{.key = "solid.mps",
-                                                    .stable = 2 / highest,
-                                                    .fraction = parameters.step_fraction(),
-                                                    .fixed = parameters.substep()});
+  return particles::make_particle_model<dim>(
+      solid, spacing, gravity, solid.mps(), "solid.mps",
+      [&](const v1::Body& body, int number, const particles::Stencil<dim>& stencil,
+          const particles::Substance<dim>& substance) {
+        return std::make_unique<MpsBody<dim>>(body, number, stencil, substance, solid.mps().pairs());
+      });
 }
 
 template class MpsBody<2>;

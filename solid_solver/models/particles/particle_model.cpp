@@ -116,12 +116,7 @@ double ParticleModel<dim>::max_speed() const {
 template <int dim>
 Energies ParticleModel<dim>::energies() const {
   Energies sum;
-  for (const auto& body : bodies_) {
-    const Energies one = body->energies(last_dt_);
-    sum.kinetic += one.kinetic;
-    sum.elastic += one.elastic;
-    sum.gravity += one.gravity;
-  }
+  for (const auto& body : bodies_) sum += body->energies(last_dt_);
   return sum;
 }
 

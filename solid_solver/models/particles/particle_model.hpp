@@ -1,8 +1,10 @@
 // A model of explicit particles, whatever pulls them.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 
+#include "solid_solver/damping.hpp"
 #include "solid_solver/models/particles/particle_body.hpp"
 #include "solid_solver/solid_model.hpp"
 
@@ -57,5 +59,32 @@ class ParticleModel : public SolidModel {
   double last_dt_ = 0;
   std::vector<Eigen::Index> first_;  // node of each body, and their number
 };
+
+/// The model of a case's bodies. `make_body(body, number, stencil, substance)` makes a ParticleBody that
+/// states its highest_frequency() [rad/s]; `parameters` is the model's table in the case, `key` its name:
+/// "solid.mps".
+template <int dim, typename Parameters, typename MakeBody>
+std::unique_ptr<SolidModel> make_particle_model(const v1::Solid& solid, double spacing,
+                                                const Vec<dim>& gravity, const Parameters& parameters,
+                                                const std::string& key, MakeBody&& make_body) {
+  const Stencil<dim> stencil = full_stencil<dim>(spacing, parameters.re());
+  const Elasticity material = elasticity_of<dim>(solid);
+  const std::vector<double> damping = damping_rates<dim>(solid);
+  typename ParticleModel<dim>::Bodies bodies;
+  double highest = 0;
+  for (int b = 0; b < solid.body_size(); ++b) {
+    auto body =
+        make_body(solid.body(b), b, stencil,
+                  Substance<dim>{.material = material, .gravity = gravity, .damping_rate = damping[b]});
+    highest = std::max(highest, body->highest_frequency());
+    bodies.push_back(std::move(body));
+  }
+  return std::make_unique<ParticleModel<dim>>(
+      std::move(bodies), material, spacing,
+      typename ParticleModel<dim>::Steps{.key = key,
+                                         .stable = 2 / highest,
+                                         .fraction = parameters.step_fraction(),
+                                         .fixed = parameters.substep()});
+}
 
 }  // namespace cosurge::particles

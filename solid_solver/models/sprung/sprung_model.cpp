@@ -80,12 +80,7 @@ double SprungModel<dim>::max_speed() const {
 template <int dim>
 Energies SprungModel<dim>::energies() const {
   Energies sum;
-  for (const auto& body : bodies_) {
-    const Energies one = body.energies();
-    sum.kinetic += one.kinetic;
-    sum.elastic += one.elastic;
-    sum.gravity += one.gravity;
-  }
+  for (const auto& body : bodies_) sum += body.energies();
   return sum;
 }
 
