@@ -172,7 +172,12 @@ void check_scene(const v1::Case& c, CaseErrors& errors) {
     check_spacing("solid.spacing", c.solid().spacing(), body_boxes(c.solid()), errors);
 }
 
-void check_fluid(const v1::Fluid& fluid, CaseErrors& errors) {
+void check_fluid(const v1::Case& c, CaseErrors& errors) {
+  const v1::Fluid& fluid = c.fluid();
+  const auto& gravity = c.gravity();
+  const bool weightless = std::all_of(gravity.begin(), gravity.end(), [](double g) { return g == 0; });
+  if (fluid.source() == v1::Fluid::time_scale && !fluid.has_propagation_speed() && weightless)
+    errors.add("fluid.propagation_speed", "missing (there is no gravity to take it from)");
   if (fluid.re_laplacian() > 2 * fluid.re_gradient())
     errors.add("fluid.re_laplacian", fmt::format("{} must be <= 2 fluid.re_gradient = {}",
                                                  fluid.re_laplacian(), 2 * fluid.re_gradient()));
@@ -303,8 +308,11 @@ void check_rules(const v1::Case& c, CaseErrors& errors) {
   if (!c.has_fluid() && !c.has_solid()) errors.add("", "a case needs a [fluid], a [solid], or both");
   if (c.has_coupling() && !(c.has_fluid() && c.has_solid()))
     errors.add("coupling", "only where there are a [fluid] and a [solid]");
+  if (c.coupling().scheme() == v1::Coupling::weak_inertial && c.fluid().source() == v1::Fluid::deviation)
+    errors.add("coupling.scheme",
+               "weak_inertial needs water that answers velocities: fluid.source must be mixed or time_scale");
   check_scene(c, errors);
-  if (c.has_fluid()) check_fluid(c.fluid(), errors);
+  if (c.has_fluid()) check_fluid(c, errors);
   if (c.has_fluid()) check_motions(c.fluid(), errors);
   if (c.has_solid()) check_solid(c, errors);
   check_probes(c, errors);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "common/error.hpp"
 #include "common/ordered_sum.hpp"
@@ -30,6 +31,20 @@ PoissonParameters<dim> poisson_parameters(const v1::Fluid& fluid, const Vec<dim>
           .gravity = gravity};
 }
 
+/// Default of the propagation speed: 0.6 sqrt(g H), H the height of the water at the start.
+/// docs/verification.md is of 0.6 to 0.7.
+template <int dim>
+double shallow_speed(const std::vector<Vec<dim>>& water, const Vec<dim>& gravity, double spacing) {
+  double lowest = std::numeric_limits<double>::max();
+  double highest = std::numeric_limits<double>::lowest();
+  for (const Vec<dim>& x : water) {
+    const double level = -x.dot(gravity);  // g times the height
+    lowest = std::min(lowest, level);
+    highest = std::max(highest, level);
+  }
+  return 0.6 * std::sqrt(std::max(0.0, highest - lowest) + gravity.norm() * spacing);
+}
+
 }  // namespace
 
 template <int dim>
@@ -42,6 +57,8 @@ Mps<dim>::Mps(const v1::Fluid& fluid, const v1::Solid* solid, const Vec<dim>& gr
       poisson_(poisson_parameters<dim>(fluid, gravity)),
       preconditioner_(make_preconditioner(fluid.pressure())) {
   add_water(solid);
+  propagation_speed_ = fluid.has_propagation_speed() ? fluid.propagation_speed()
+                                                     : shallow_speed(particles_.x, gravity, fluid.spacing());
   walls_.add_to(particles_);
   first_body_id_ = particles_.size();
   const Box<dim> tank(fluid.tank());

@@ -97,8 +97,9 @@ class Mps {
   AddedMass<dim> added_mass_;
   PhaseClock<phase_count> clock_;
 
-  Vec<dim> nowhere_;        // outside the domain: what has gone through a wall is put there, and drops out
-  double speed_bound_ = 0;  // [m/s]
+  Vec<dim> nowhere_;  // outside the domain: what has gone through a wall is put there, and drops out
+  double propagation_speed_ = 0;  // c of the source `time_scale` [m/s]
+  double speed_bound_ = 0;        // [m/s]
   double max_body_speed_ = 0;
   int first_body_id_ = 0;
   std::vector<Vec<dim>> body_areas_;      // A of each body point, deformed

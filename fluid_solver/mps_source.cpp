@@ -60,7 +60,7 @@ double Mps<dim>::unbiased_deviation(int i, double smooth) const {
 /// Of the source `time_scale`: k of eq. (6c) [1/s].
 template <int dim>
 double Mps<dim>::rate(double dt) const {
-  return std::min(parameters_.propagation_speed() / parameters_.spacing(), 1 / dt);
+  return std::min(propagation_speed_ / parameters_.spacing(), 1 / dt);
 }
 
 /// What the source changes by with the divergence of the velocity.

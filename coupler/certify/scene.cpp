@@ -13,6 +13,7 @@ gravity = [0.0, 0.0]
 time = { end = 0.01, window = 1e-4 }
 [fluid]
 spacing = 0.004
+source = "mixed"
 tank = { min = [0.0, 0.0], max = [0.3, 0.2] }
 water = [{ min = [0.0, 0.0], max = [0.1, 0.1] }]
 [solid]

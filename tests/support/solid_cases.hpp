@@ -34,6 +34,7 @@ inline v1::Case plate(const SolidParameters& p) {
   c.mutable_time()->set_end(1);
   c.mutable_time()->set_window(1e-4);
   v1::Solid& solid = *c.mutable_solid();
+  solid.set_model(v1::SolidModel::mps);
   solid.set_spacing(l0);
   solid.set_density(p.density);
   solid.set_young_modulus(p.young_modulus);

@@ -174,6 +174,22 @@ TEST(CaseRules, CouplingNeedsBothAFluidAndASolid) {
                 HasSubstr("coupling: only where there are a [fluid] and a [solid]"));
 }
 
+TEST(CaseRules, AddedMassNeedsWaterThatAnswersVelocities) {
+  const CaseText text;
+  const std::vector<std::string> words = {"coupling.scheme=weak_inertial", "fluid.source=deviation"};
+  EXPECT_THAT(errors_of(text.file(), words),
+              HasSubstr("coupling.scheme: weak_inertial needs water that answers velocities"));
+  EXPECT_EQ(errors_of(text.file(), {words[0]}), "");
+}
+
+TEST(CaseRules, WithoutGravityATimeScaleNeedsItsSpeed) {
+  const CaseText text;
+  const std::vector<std::string> words = {"gravity=[0, 0]", "fluid.source=time_scale"};
+  EXPECT_THAT(errors_of(text.file(), words), HasSubstr("fluid.propagation_speed: missing"));
+  EXPECT_EQ(errors_of(text.file(), {words[0], words[1], "fluid.propagation_speed=1"}), "");
+  EXPECT_EQ(errors_of(text.file(), {words[1]}), "");
+}
+
 TEST(CaseRules, ASceneNeedsSomethingInIt) {
   const CaseText text(std::string(testing::good_case),
                       "title = \"Nothing\"\ngravity = [0, 0]\n[time]\nend = 1\nwindow = 1\n");

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 
 #include "common/error.hpp"
 #include "common/state_bytes.hpp"
@@ -241,6 +242,28 @@ TEST(MpsStep, WaterThatIsShotThroughAWallIsCountedAsLost) {
   change_velocities(mps, [](Vec<2>& u, const Vec<2>&) { u = {-10, 0}; });
   (void)mps.step(0, 6e-3);
   EXPECT_EQ(mps.initial_size() - mps.particles().size(), 4);
+}
+
+// 0.6 sqrt(g H) = 0.6 sqrt(9.81 0.2) m/s where the case does not say.
+TEST(MpsStep, ThePropagationSpeedComesFromTheHeightOfTheWater) {
+  const auto after_two_steps = [](std::optional<double> speed) {
+    v1::Fluid fluid = small_dam_break();
+    fluid.set_source(v1::Fluid::time_scale);
+    if (speed) fluid.set_propagation_speed(*speed);
+    Mps<2> mps(fluid, nullptr, down);
+    (void)mps.step(0, 1e-3);
+    (void)mps.step(1e-3, 1e-3);
+    return mps.particles().p;
+  };
+  const auto distance = [&](double speed) {
+    const auto a = after_two_steps(std::nullopt), b = after_two_steps(speed);
+    double largest = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+    return largest;
+  };
+  const double speed = 0.6 * std::sqrt(g * 0.2);
+  EXPECT_LT(distance(speed), 1e-6);  // Pa, rounding: of some 1e3
+  EXPECT_GT(distance(1.05 * speed), 1e-2);
 }
 
 /// Pressure in the middle of the floor, over rho g h, after one step of water that was at rest.
