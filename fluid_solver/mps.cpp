@@ -102,6 +102,9 @@ void Mps<dim>::add_water(const v1::Solid* solid) {
       if (!walls_.covers(x) && (water.vertex().empty() || !taken(x))) particles_.add(Kind::fluid, x);
     filled.push_back(shape);
   }
+  require(particles_.size() > 0,
+          "fluid.water: holds no particle; it is smaller than fluid.spacing, or lies out of the tank or in "
+          "obstacles and bodies");
 }
 
 template <int dim>
@@ -317,27 +320,38 @@ void Mps<dim>::shift(double dt) {
     if (particles_.kind[i] == Kind::fluid) particles_.x[i] += push_[i];
 }
 
-/// Speeds, the next step that they allow, and the bounds of what is physical.
+/// Water is there, and no particle is faster than anything physical; `which` is the fastest.
+template <int dim>
+void Mps<dim>::check_bounds(int water, int which, double fastest, double end) const {
+  if (water == 0)
+    throw NumericalError(
+        fmt::format("no water is left at t = {:.6g} s: all of it has left the domain; raise fluid.tank or "
+                    "lower time.window",
+                    end));
+  if (!(fastest <= speed_bound_))
+    throw NumericalError(
+        fmt::format("fluid particle {} at ({:.4g}) moves at {:.4g} m/s at t = {:.6g} s, beyond any physical "
+                    "bound ({:.4g} m/s): the pressure has blown up; lower time.window or fluid.courant",
+                    particles_.id[which], fmt::join(particles_.x[which], ", "), fastest, end, speed_bound_));
+}
+
+/// Speeds, and the next step that they allow.
 template <int dim>
 StepReport Mps<dim>::survey(double end) {
   double fastest = 0;  // of all
   double fastest_bound = std::max(
       max_body_speed_, walls_.speed());  // of those with enough neighbours to feel and make pressures
   int which = -1;
+  int water = 0;
   for (int i = 0; i < particles_.size(); ++i) {
     if (particles_.kind[i] != Kind::fluid) continue;
+    ++water;
     const double speed = particles_.u[i].norm();
     if (!(speed <= fastest)) which = i, fastest = speed;
     if (neighbors_.count(i) > loose) fastest_bound = std::max(fastest_bound, speed);
     if (std::isnan(speed)) break;
   }
-  if (!(fastest <= speed_bound_)) {
-    throw NumericalError(fmt::format(
-        "fluid particle {} at ({:.4g}, {:.4g}) moves at {:.4g} m/s at t = {:.6g} s, beyond any physical "
-        "bound "
-        "({:.4g} m/s): the pressure has blown up; lower time.window or fluid.courant",
-        particles_.id[which], particles_.x[which][0], particles_.x[which][1], fastest, end, speed_bound_));
-  }
+  check_bounds(water, which, fastest, end);
   const double spacing = parameters_.spacing();
   const double gravity_limit = std::sqrt(spacing / std::max(gravity_.norm(), 1e-12));
   const double viscous_limit = 0.2 * spacing * spacing / std::max(parameters_.kinematic_viscosity(), 1e-12);

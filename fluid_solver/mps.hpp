@@ -83,6 +83,7 @@ class Mps {
   void correct(double dt);
   void shift(double dt);
   StepReport survey(double end);
+  void check_bounds(int water, int which, double fastest, double end) const;
 
   v1::Fluid parameters_;
   Vec<dim> gravity_;

@@ -17,9 +17,9 @@ void check_crowding(const CellGrid<dim>& grid, const Particles<dim>& particles) 
     if (grid.population(c) <= most) continue;
     const Vec<dim> x = particles.x[static_cast<std::size_t>(grid.first(c))];
     throw NumericalError(
-        fmt::format("{} particles lie in one cell of the neighbour search, at ({:.4g}, {:.4g}): the "
+        fmt::format("{} particles lie in one cell of the neighbour search, at ({:.4g}): the "
                     "water has collapsed there; use a smaller window or a smaller compressibility",
-                    grid.population(c), x[0], x[1]));
+                    grid.population(c), fmt::join(x, ", ")));
   }
 }
 

@@ -226,20 +226,25 @@ TEST(MpsStep, PositionsMoveWithTheVelocitiesAtTheEndOfTheStep) {
 }
 
 TEST(MpsStep, WaterThatLeavesThroughTheOpenTopIsCountedAsLost) {
-  Mps<2> mps(tank_of_water(l0, box_of({0, 0}, {0.1, 0.1}), {box_of({0, 0.05}, {0.1, 0.1})}), nullptr, {0, g});
+  Mps<2> mps(tank_of_water(l0, box_of({0, 0}, {0.1, 0.1}),
+                           {box_of({0, 0}, {0.1, 0.02}), box_of({0, 0.05}, {0.1, 0.1})}),
+             nullptr, Vec<2>::Zero());
+  change_velocities(mps, [](Vec<2>& u, const Vec<2>& x) { u = {0, x[1] > 0.05 ? 1 : 0}; });
   const int before = mps.particles().size();
   constexpr double dt = 2e-3;
   for (int k = 0; k < 120; ++k) (void)mps.step(k * dt, dt);
-  // g t^2 / 2 = 0.28 m; the top of the domain is 0.15 m above the tank's, rounded up to whole cells.
+  // u t = 0.24 m; the top of the domain is 0.15 m above the tank's, rounded up to whole cells.
   EXPECT_EQ(mps.initial_size(), before);
   EXPECT_EQ(mps.initial_size() - mps.particles().size(), 50);
-  for (int i = 0; i < mps.particles().size(); ++i) EXPECT_NE(mps.particles().kind[i], Kind::fluid);
+  for (int i = 0; i < mps.particles().size(); ++i)
+    EXPECT_TRUE(mps.particles().kind[i] != Kind::fluid || mps.particles().x[i][1] < 0.05);
 }
 
 TEST(MpsStep, WaterThatIsShotThroughAWallIsCountedAsLost) {
-  Mps<2> mps(tank_of_water(l0, box_of({0, 0}, {0.2, 0.2}), {box_of({0.02, 0.1}, {0.04, 0.12})}), nullptr,
-             down);
-  change_velocities(mps, [](Vec<2>& u, const Vec<2>&) { u = {-10, 0}; });
+  Mps<2> mps(tank_of_water(l0, box_of({0, 0}, {0.2, 0.2}),
+                           {box_of({0.02, 0.1}, {0.04, 0.12}), box_of({0.1, 0}, {0.14, 0.02})}),
+             nullptr, down);
+  change_velocities(mps, [](Vec<2>& u, const Vec<2>& x) { u = {x[0] < 0.05 ? -10 : 0, 0}; });
   (void)mps.step(0, 6e-3);
   EXPECT_EQ(mps.initial_size() - mps.particles().size(), 4);
 }
@@ -318,6 +323,25 @@ TEST(MpsStep, ImpossibleSpeedsEndTheRunInWords) {
     if (x[0] > 0.09 && x[1] > 0.19) u = {0, 1e4};
   });
   EXPECT_THROW((void)mps.step(0, 1e-6), NumericalError);
+}
+
+TEST(MpsStep, WaterThatHasAllLeftEndsTheRunInWords) {
+  Mps<2> mps(small_dam_break(), nullptr, down);
+  change_velocities(mps, [](Vec<2>& u, const Vec<2>&) { u = {0, 20}; });
+  try {
+    for (int k = 0; k < 10; ++k) (void)mps.step(k * 0.01, 0.01);
+    FAIL() << "no error";
+  } catch (const NumericalError& error) {
+    EXPECT_NE(std::string(error.what()).find("no water is left"), std::string::npos) << error.what();
+  }
+}
+
+TEST(MpsStep, OutlinesThatHoldNoParticleAreRefused) {
+  v1::Fluid fluid = small_dam_break();
+  v1::Shape& speck = *fluid.mutable_water(0);
+  speck.Clear();
+  for (const double x : {0.101, 0.101, 0.103, 0.101, 0.102, 0.103}) speck.add_vertex(x);
+  EXPECT_THROW(Mps<2>(fluid, nullptr, down), Error);
 }
 
 TEST(MpsStep, ABodySpeedThatIsNoNumberEndsTheRunInWords) {
