@@ -169,7 +169,7 @@ TYPED_TEST_SUITE(ExplicitBody, ExplicitSamples, SampleNames);
 
 TYPED_TEST(ExplicitBody, RunsBelowItsStableStepAndFailsAboveIt) {
   for (const double nu : {0.0, 0.3, 0.45, 0.49}) {
-    const Block block{.columns = 12, .rows = 24, .clamped = true, .poisson_ratio = nu};
+    const Block block{.columns = 6, .rows = 12, .clamped = true, .poisson_ratio = nu};
     TypeParam below(block), above(block);
     std::mt19937_64 random(7);
     std::uniform_real_distribution<double> unit(-1, 1);
@@ -177,12 +177,12 @@ TYPED_TEST(ExplicitBody, RunsBelowItsStableStepAndFailsAboveIt) {
     for (Eigen::Index i = 0; i < v.size(); ++i) v.data()[i] = 1e-4 * unit(random);
     below.launch(v);
     above.launch(v);
-    // Ten periods of the block's first mode, 45 Hz, are 8000 steps at most.
-    below.advance(20000, 0.95);
+    // Ten periods of the block's first mode, 90 Hz, are 4000 steps at most.
+    below.advance(8000, 0.95);
     // This near the limit the shortest motions are drawn out three times; a fault would have grown without
     // bound.
     EXPECT_LT(below.body().velocity().cwiseAbs().maxCoeff(), 0.01) << "nu = " << nu;
-    above.advance(2000, 1.3);
+    above.advance(1000, 1.3);
     EXPECT_FALSE(above.body().velocity().cwiseAbs().maxCoeff() < block.material().pressure_speed()) << nu;
   }
 }
