@@ -37,7 +37,7 @@ struct Matrix {
     const std::int64_t end = rows.end(i);
     std::int64_t b = rows.begin(i);
     const float* w = weight.data() + b * lanes;
-    for (; b + 2 <= end; b += 2, w += 2 * lanes) {
+    for (; b + 2 <= end; b += 2, w += 2 * std::ptrdiff_t{lanes}) {
       even += product(w, x + first[b]);
       odd += product(w + lanes, x + first[b + 1]);
     }
