@@ -139,10 +139,23 @@ def convergence(threads):
              "solid.body.0.clamp": "[{ min = [0.288, -0.04], max = [0.32, 0.0] }]",
              "output.probe": '[{ name = "P01", quantity = "pressure", position = [0.288, 0.012] }]'}
     for source, gradient in SOURCES:
+        rows = []
         for spacing in (0.008, 0.004, 0.002, 0.001):
             settings = scene | {"fluid.source": source, "fluid.gradient": gradient, "fluid.spacing": spacing,
                                 "time.window": spacing * 0.05, "time.stepping": "fixed"}
-            yield {"source": source, "gradient": gradient, "spacing_m": spacing} | dam_break(settings, threads)
+            row = {"source": source, "gradient": gradient, "spacing_m": spacing} | dam_break(settings, threads)
+            rows.append(row)
+            for name in ("front_s", "impulse_P01_to_0.3s_Pa_s", "impulse_plate_to_0.3s_N_s"):
+                row[f"order_{name}"] = observed_order([one.get(name, np.nan) for one in rows])
+            yield row
+
+
+def observed_order(values):
+    """From the last three of values on spacings that halve: log2 of the ratio of their differences; nan of fewer."""
+    if len(values) < 3:
+        return np.nan
+    coarse, middle, fine = values[-3:]
+    return np.log2(abs(coarse - middle) / abs(middle - fine))
 
 
 def damped_wave(time, height):

@@ -46,11 +46,11 @@ class CellGrid {
   void ranges(const CellIndex<dim>& cell, int reach, Visit&& visit) const {
     CellIndex<dim> lower = (cell.array() - reach).max(0);
     const CellIndex<dim> upper = (cell.array() + reach).min(count_.array() - 1);
-    const int run = upper[0] - lower[0];
+    const auto run = static_cast<std::size_t>(upper[0] - lower[0]) + 1;
     CellIndex<dim> at = lower;
     while (true) {
-      const int first = number(at);
-      visit(start_[static_cast<std::size_t>(first)], start_[static_cast<std::size_t>(first + run + 1)]);
+      const auto first = static_cast<std::size_t>(number(at));
+      visit(start_[first], start_[first + run]);
       int axis = 1;
       while (axis < dim && ++at[axis] > upper[axis]) {
         at[axis] = lower[axis];
