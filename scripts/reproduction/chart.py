@@ -2,6 +2,7 @@
 import csv
 
 import numpy as np
+from matplotlib.ticker import LogLocator
 
 import runs
 from figures import plt
@@ -56,8 +57,9 @@ def scatter_of(numbers, key):
 
 
 def draw(rows, numbers, scene, truth):
-    figure, grid = plt.subplots(1, len(MEASURES), layout="constrained", figsize=(4.2 * len(MEASURES), 4.4))
-    for axes, (key, title) in zip(grid, MEASURES.items()):
+    figure, grid = plt.subplots(2, 3, layout="constrained", figsize=(15, 9))
+    grid[-1, -1].remove()
+    for axes, (key, title) in zip(grid.flat, MEASURES.items()):
         spread = scatter_of(numbers, key) if key != "tip_rms" else 0
         for row in rows:
             axes.errorbar(row["core_s"], row[key], yerr=spread, fmt="o", ms=4, color="0.35", ecolor="0.8", elinewidth=1)
@@ -65,9 +67,13 @@ def draw(rows, numbers, scene, truth):
         axes.plot([row["core_s"] for row in front], [row[key] for row in front], "-", color="tab:orange", lw=1.2)
         for row in rows:
             weight = "bold" if row in front else "normal"
-            axes.annotate(row["setting"], (row["core_s"], row[key]), fontsize=6, weight=weight, xytext=(3, 3),
+            axes.annotate(row["setting"], (row["core_s"], row[key]), fontsize=7, weight=weight, xytext=(3, 3),
                           textcoords="offset points")
         axes.set(xscale="log", xlabel="core seconds", title=title, ylabel="error", ylim=(0, None))
+        axes.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+        axes.xaxis.set_major_formatter("{x:g}")
+        axes.xaxis.set_minor_formatter("")
+        axes.margins(x=0.15)
     figure.suptitle(f"{scene}: error against {truth}, over cost; bars: scatter between perturbed starts; "
                     "line: nothing cheaper is nearer")
     return figure
