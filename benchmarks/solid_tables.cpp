@@ -21,10 +21,23 @@ const std::vector<Cantilever> plates = [] {
   return all;
 }();
 
-std::vector<v1::SolidModel::Word> models = {v1::SolidModel::fem, v1::SolidModel::modal,
-                                            v1::SolidModel::hamiltonian, v1::SolidModel::mps};
+/// A model as a case words it.
+struct Model {
+  std::string name;
+  v1::SolidModel::Word word;
+  v1::SolidMps::Pairs pairs = v1::SolidMps::corrected;
 
-const std::string& name(v1::SolidModel::Word model) { return v1::SolidModel::Word_Name(model); }
+  PlateCase plate(const Cantilever& of, int particles = 12) const {
+    return {.model = word, .pairs = pairs, .plate = of, .particles = particles};
+  }
+  bool of_particles() const { return word == v1::SolidModel::mps || word == v1::SolidModel::hamiltonian; }
+};
+
+std::vector<Model> models = {{"fem", v1::SolidModel::fem},
+                             {"modal", v1::SolidModel::modal},
+                             {"hamiltonian", v1::SolidModel::hamiltonian},
+                             {"mps", v1::SolidModel::mps},
+                             {"mps_paper", v1::SolidModel::mps, v1::SolidMps::paper}};
 
 double percent(double measured, double exact) { return 100 * (measured / exact - 1); }
 
@@ -36,13 +49,12 @@ void print_line(const std::string& line) {
 /// First frequency of the paper's plate.
 void frequencies() {
   print_line("model,young_modulus_Pa,poisson_ratio,particles_of_thickness,f1_Hz,timoshenko_Hz,off_percent");
-  for (const auto model : models) {
+  for (const Model& model : models) {
     for (const Cantilever& plate : plates) {
       for (const int particles : {6, 12, 24}) {
         const double exact = plate.timoshenko();
-        const double f1 =
-            swing_frequency({.model = model, .plate = plate, .particles = particles}, exact, {1, 0});
-        print_line(fmt::format("{},{:g},{},{},{:.5g},{:.5g},{:.2f}", name(model), plate.young_modulus,
+        const double f1 = swing_frequency(model.plate(plate, particles), exact, {1, 0});
+        print_line(fmt::format("{},{:g},{},{},{:.5g},{:.5g},{:.2f}", model.name, plate.young_modulus,
                                plate.poisson_ratio, particles, f1, exact, percent(f1, exact)));
       }
     }
@@ -55,20 +67,18 @@ void waves() {
   print_line(
       "model,particles_of_thickness,bar_speed_m_s,exact_m_s,off_percent,gray_period_s,thin_plate_s,off_"
       "percent");
-  for (const auto model : models) {
+  for (const Model& model : models) {
     for (const int particles : {6, 12, 24}) {
       const double exact = 20;
       double period[2];
       for (const int k : {0, 1}) {
         const Cantilever bar = {0.080 * (k + 1), 0.012, 2500, 1e6, 0};
-        period[k] = 1 / swing_frequency({.model = model, .plate = bar, .particles = particles},
-                                        exact / (4 * bar.length), {0, 1});
+        period[k] = 1 / swing_frequency(model.plate(bar, particles), exact / (4 * bar.length), {0, 1});
       }
       const double speed = 4 * 0.080 / (period[1] - period[0]);
       const Cantilever gray = {0.2, 0.02, 1000, 2e6, 0.3975};
-      const double swing = 1 / swing_frequency({.model = model, .plate = gray, .particles = particles},
-                                               gray.timoshenko(), {1, 0});
-      print_line(fmt::format("{},{},{:.4f},{:g},{:.2f},{:.5f},{:.5f},{:.2f}", name(model), particles, speed,
+      const double swing = 1 / swing_frequency(model.plate(gray, particles), gray.timoshenko(), {1, 0});
+      print_line(fmt::format("{},{},{:.4f},{:g},{:.2f},{:.5f},{:.5f},{:.2f}", model.name, particles, speed,
                              exact, percent(speed, exact), swing, 1 / gray.euler_bernoulli(),
                              percent(swing, 1 / gray.euler_bernoulli())));
     }
@@ -89,11 +99,12 @@ void elastica() {
                                        {"end", 10, .81061, .55500},    {"uniform", 1, .12347, .00875},
                                        {"uniform", 4, .42516, .10989}, {"uniform", 10, .70020, .34365}};
   const Cantilever plate = {0.240, 0.012, 2500, 1e6, 0};
-  for (const auto model : models) {
-    if (model == v1::SolidModel::modal) continue;  // small deflections
+  for (const Model& model : models) {
+    if (model.word == v1::SolidModel::modal) continue;  // small deflections
     for (const int particles : {6, 12}) {
       for (const Elastica& exact : cases) {
-        const PlateCase from{.model = model, .plate = plate, .particles = particles, .damping_ratio = 0.7};
+        PlateCase from = model.plate(plate, particles);
+        from.damping_ratio = 0.7;
         Plate run(from);
         const bool end = exact.kind == std::string("end");
         const double whole = exact.load * plate.rigidity() / (plate.length * plate.length);
@@ -106,8 +117,8 @@ void elastica() {
                       [&](const Vec<2>& X) { return Vec<2>(X[1] > loaded_from ? force : 0, 0); });
         }
         const double w = run.tip()[0] / plate.length, u = -run.tip()[1] / plate.length;
-        print_line(fmt::format("{},{},{},{:g},{:.5f},{:.2f},{:.5f},{:.2f}", name(model), particles,
-                               exact.kind, exact.load, w, percent(w, exact.w), u, percent(u, exact.u)));
+        print_line(fmt::format("{},{},{},{:g},{:.5f},{:.2f},{:.5f},{:.2f}", model.name, particles, exact.kind,
+                               exact.load, w, percent(w, exact.w), u, percent(u, exact.u)));
       }
     }
   }
@@ -117,8 +128,10 @@ void elastica() {
 /// others with a wide swing.
 void energy() {
   print_line("model,tip_amplitude_m,ripple,drift_per_second");
-  for (const auto model : models) {
-    Plate run({.model = model, .plate = plates[0], .gravity_x = model == v1::SolidModel::modal ? 1.0 : 15.0});
+  for (const Model& model : models) {
+    PlateCase from = model.plate(plates[0]);
+    from.gravity_x = model.word == v1::SolidModel::modal ? 1.0 : 15.0;
+    Plate run(from);
     const double window = 5e-4;
     const int windows = 2000, part = 340;  // two periods
     double kinetic = 0, tip = 0, low = 0, high = 0, first = 0, last = 0;
@@ -133,7 +146,7 @@ void energy() {
       last += k >= windows - part ? now / part : 0;
     }
     const double seconds = window * (windows - part);
-    print_line(fmt::format("{},{:.4f},{:.1e},{:.1e}", name(model), tip / 2, (high - low) / kinetic,
+    print_line(fmt::format("{},{:.4f},{:.1e},{:.1e}", model.name, tip / 2, (high - low) / kinetic,
                            (last - first) / kinetic / seconds));
   }
 }
@@ -164,9 +177,10 @@ void cost() {
   print_line(
       "model,young_modulus_Pa,substeps_per_s,cpu_seconds_per_s,ns_per_particle_and_substep,deflection_over_"
       "beam");
-  for (const auto model : models) {
+  for (const Model& model : models) {
     for (const Cantilever& plate : plates) {
-      const PlateCase from{.model = model, .plate = plate, .only_face = true};
+      PlateCase from = model.plate(plate);
+      from.only_face = true;
       Plate run(from);
       const double window = 2e-4, small = 1e-3 * plate.length / plate.deflection() * from.spacing();
       int windows = 0;
@@ -181,12 +195,11 @@ void cost() {
         });
       }
       const double physical = windows * window;
-      const bool particles = model == v1::SolidModel::mps || model == v1::SolidModel::hamiltonian;
       const std::string each =
-          particles
+          model.of_particles()
               ? fmt::format("{:.2f}", 1e9 * cpu / (substeps * static_cast<double>(run.setup().particles)))
               : "";
-      print_line(fmt::format("{},{:g},{:.4g},{:.4g},{},{:.4f}", name(model), plate.young_modulus,
+      print_line(fmt::format("{},{:g},{:.4g},{:.4g},{},{:.4f}", model.name, plate.young_modulus,
                              substeps / physical, cpu / physical, each,
                              deflection(from) / plate.deflection()));
     }
@@ -207,15 +220,11 @@ int main(int count, char** arguments) {
   std::string table;
   app.add_option("table", table)->required()->check(CLI::IsMember(tables));
   std::string model;
-  app.add_option("--model", model, "this one alone")->check([](const std::string& word) {
-    v1::SolidModel::Word found{};
-    return v1::SolidModel::Word_Parse(word, &found) ? "" : "no model " + word;
-  });
+  std::vector<std::string> names;
+  for (const Model& one : models) names.push_back(one.name);
+  app.add_option("--model", model, "this one alone")->check(CLI::IsMember(names));
   CLI11_PARSE(app, count, arguments);
-  if (!model.empty()) {
-    models.resize(1);
-    v1::SolidModel::Word_Parse(model, models.data());
-  }
+  if (!model.empty()) std::erase_if(models, [&](const Model& one) { return one.name != model; });
   fmt::print("# build/release/bin/solid_tables {}\n", table);
   tables.at(table)();
 }

@@ -238,8 +238,11 @@ void resolve(Message& message) {
         resolve(*reflection.MutableRepeatedMessage(&message, &field, k));
     } else if (is_message) {
       const bool part = &type == v1::Case::descriptor();  // of the scene: absent means that there is none
-      if (reflection.HasField(message, &field) || !part)
-        resolve(*reflection.MutableMessage(&message, &field));
+      const bool given = reflection.HasField(message, &field);
+      if (!given && part) continue;
+      Message& inner = *reflection.MutableMessage(&message, &field);
+      resolve(inner);
+      if (!given && inner.ByteSizeLong() == 0) reflection.ClearField(&message, &field);  // it has no defaults
     } else if (field.has_default_value() && !reflection.HasField(message, &field)) {
       if (field.cpp_type() == FieldDescriptor::CPPTYPE_DOUBLE)
         reflection.SetDouble(&message, &field, field.default_value_double());

@@ -7,6 +7,8 @@
 #include <set>
 
 #include "common/error.hpp"
+#include "common/outline_rules.hpp"
+#include "common/shape.hpp"
 
 namespace cosurge {
 namespace {
@@ -27,34 +29,54 @@ struct NamedBox {
   v1::Box box;
 };
 
-/// The box of a shape that is one.
-NamedBox named_box(const std::string& key, const v1::Shape& shape) {
+/// A shape, or the box around its outline.
+NamedBox named_box(const std::string& key, const v1::Shape& shape, int dimension) {
   NamedBox named{.key = key, .box = {}};
   *named.box.mutable_min() = shape.min();
   *named.box.mutable_max() = shape.max();
+  for (int v = 0; v < shape.vertex_size(); ++v) {
+    const int k = v % dimension;
+    if (v < dimension) {
+      named.box.add_min(shape.vertex(v));
+      named.box.add_max(shape.vertex(v));
+    }
+    named.box.set_min(k, std::min(named.box.min(k), shape.vertex(v)));
+    named.box.set_max(k, std::max(named.box.max(k), shape.vertex(v)));
+  }
   return named;
+}
+
+bool is_box(const v1::Shape& shape) { return shape.vertex().empty(); }
+
+/// Of bodies, around the outline too.
+std::vector<NamedBox> body_bounds(const v1::Solid& solid, int dimension) {
+  std::vector<NamedBox> bounds;
+  for (int i = 0; i < solid.body_size(); ++i)
+    bounds.push_back(named_box(body_key(solid, i), shape_of(solid.body(i)), dimension));
+  return bounds;
 }
 
 std::vector<NamedBox> body_boxes(const v1::Solid& solid) {
   std::vector<NamedBox> boxes;
   for (int i = 0; i < solid.body_size(); ++i)
-    boxes.push_back({fmt::format("solid.body.{}.box", i), solid.body(i).box()});
+    if (const v1::Shape shape = shape_of(solid.body(i)); is_box(shape))
+      boxes.push_back(named_box(body_key(solid, i), shape, 0));
   return boxes;
 }
 
 std::vector<NamedBox> water_boxes(const v1::Fluid& fluid) {
   std::vector<NamedBox> boxes;
   for (int i = 0; i < fluid.water_size(); ++i)
-    if (fluid.water(i).vertex().empty())
-      boxes.push_back(named_box(fmt::format("fluid.water.{}", i), fluid.water(i)));
+    if (is_box(fluid.water(i)))
+      boxes.push_back(named_box(fmt::format("fluid.water.{}", i), fluid.water(i), 0));
   return boxes;
 }
 
 std::vector<NamedBox> obstacle_boxes(const v1::Fluid& fluid) {
   std::vector<NamedBox> boxes;
   for (int i = 0; i < fluid.obstacle_size(); ++i)
-    if (fluid.obstacle(i).shape().vertex().empty())
-      boxes.push_back(named_box(fmt::format("fluid.obstacle.{}.shape", i), fluid.obstacle(i).shape()));
+    if (is_box(fluid.obstacle(i).shape()))
+      boxes.push_back(named_box(fmt::format("fluid.obstacle.{}.shape", i), fluid.obstacle(i).shape(), 0));
   return boxes;
 }
 
@@ -124,52 +146,77 @@ bool check_boxes_ordered(const std::vector<NamedBox>& boxes, CaseErrors& errors)
   return ok;
 }
 
-/// Whether every shape is either a box or an outline.
-bool check_shapes(const v1::Fluid& fluid, CaseErrors& errors) {
+/// Whether a shape is either a box or an outline that encloses something.
+bool check_shape(const std::string& key, const v1::Shape& shape, CaseErrors& errors) {
+  const bool box = shape.min_size() > 0 && shape.max_size() > 0;
+  const bool outline = !shape.vertex().empty() || shape.has_outline();
+  std::string wrong;
+  if (box == outline || (!box && shape.min_size() + shape.max_size() > 0))
+    wrong = "must have either min and max, or outline";
+  else if (outline)
+    wrong = too_few_corners(shape, errors.dimension);
+  if (!wrong.empty()) errors.add(key, wrong);
+  return wrong.empty();
+}
+
+/// Bodies need volumes, and shapes of their own a closed outline.
+bool check_body_shapes(const v1::Solid& solid, CaseErrors& errors) {
   bool ok = true;
   const auto check = [&](const std::string& key, const v1::Shape& shape) {
-    const bool box = shape.min_size() > 0 && shape.max_size() > 0;
-    const bool outline = !shape.vertex().empty() || shape.has_outline();
-    if (box != outline && (box || (shape.min_size() == 0 && shape.max_size() == 0))) {
-      const int fewest = errors.dimension == 2 ? 6 : 36;  // numbers of a triangle, of a tetrahedron
-      if (box || shape.vertex_size() >= fewest) return;
-      errors.add(key, fmt::format("the outline has {} corners, needs at least {}",
-                                  shape.vertex_size() / errors.dimension, fewest / errors.dimension));
-    } else {
-      errors.add(key, "must have either min and max, or outline");
-    }
-    ok = false;
+    if (!check_shape(key, shape, errors)) return ok = false;
+    const std::string wrong = is_box(shape) ? "" : not_closed(shape, errors.dimension);
+    if (!wrong.empty()) errors.add(key, wrong);
+    return ok = ok && wrong.empty();
   };
-  for (int i = 0; i < fluid.water_size(); ++i) check(fmt::format("fluid.water.{}", i), fluid.water(i));
-  for (int i = 0; i < fluid.obstacle_size(); ++i)
-    check(fmt::format("fluid.obstacle.{}.shape", i), fluid.obstacle(i).shape());
+  for (int i = 0; i < solid.body_size(); ++i) {
+    const v1::Body& body = solid.body(i);
+    if (body.has_box() == body.has_shape()) {
+      errors.add(fmt::format("solid.body.{}", i), "must have either box or shape");
+      ok = false;
+    } else {
+      check(body_key(solid, i), shape_of(body));
+    }
+    for (int j = 0; j < body.clamp_size(); ++j)
+      check(fmt::format("solid.body.{}.clamp.{}", i, j), body.clamp(j));
+  }
   return ok;
 }
 
+bool check_shapes(const v1::Case& c, CaseErrors& errors) {
+  bool ok = !c.has_solid() || check_body_shapes(c.solid(), errors);
+  for (int i = 0; i < c.fluid().water_size(); ++i)
+    ok = check_shape(fmt::format("fluid.water.{}", i), c.fluid().water(i), errors) && ok;
+  for (int i = 0; i < c.fluid().obstacle_size(); ++i)
+    ok = check_shape(fmt::format("fluid.obstacle.{}.shape", i), c.fluid().obstacle(i).shape(), errors) && ok;
+  return ok;
+}
+
+/// Boxes on the lattice; water and bodies in the tank and apart from each other.
 void check_scene(const v1::Case& c, CaseErrors& errors) {
-  if (c.has_fluid() && !check_shapes(c.fluid(), errors)) return;
-  std::vector<NamedBox> boxes;
-  if (c.has_solid()) boxes = body_boxes(c.solid());
-  std::vector<NamedBox> filled = boxes;
+  std::vector<NamedBox> filled = body_boxes(c.solid()), boxes = filled, inner;
   if (c.has_fluid()) {
     for (const NamedBox& water : water_boxes(c.fluid())) filled.push_back(water);
     boxes = filled;
     for (const NamedBox& obstacle : obstacle_boxes(c.fluid())) boxes.push_back(obstacle);
     boxes.push_back({"fluid.tank", c.fluid().tank()});
+    inner = body_bounds(c.solid(), c.dimension());
+    for (const NamedBox& water : water_boxes(c.fluid())) inner.push_back(water);
   }
   if (!check_boxes_ordered(boxes, errors)) return;
+  const std::size_t before = errors.lines.size();
   if (c.has_fluid()) {
     const double margin = whole * c.fluid().spacing();
     check_spacing("fluid.spacing", c.fluid().spacing(), boxes, errors);
-    for (const NamedBox& named : filled)
+    for (const NamedBox& named : inner)
       if (!inside(named.box, c.fluid().tank(), margin)) errors.add(named.key, "must lie inside fluid.tank");
     for (std::size_t i = 0; i < filled.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
         if (overlap(filled[i].box, filled[j].box, margin))
           errors.add(filled[i].key, fmt::format("overlaps {}", filled[j].key));
   }
-  if (c.has_solid() && c.solid().has_spacing())
+  if (c.solid().has_spacing() && !body_boxes(c.solid()).empty())
     check_spacing("solid.spacing", c.solid().spacing(), body_boxes(c.solid()), errors);
+  if (errors.lines.size() == before) check_outlined_bodies(c, errors);
 }
 
 void check_fluid(const v1::Case& c, CaseErrors& errors) {
@@ -217,24 +264,26 @@ void check_solid(const v1::Case& c, CaseErrors& errors) {
                                              v1::SolidModel::Word_Name(solid.model())));
   // Layers, so that water on one side does not see water on the other.
   const double fewest = std::max(3.0, c.has_fluid() ? std::ceil(c.fluid().re_laplacian()) - 1 : 0.0);
+  const std::vector<NamedBox> bounds = body_bounds(solid, c.dimension());
   for (int i = 0; i < solid.body_size(); ++i) {
     const v1::Body& body = solid.body(i);
-    for (int k = 0; k < body.box().min_size(); ++k) {
-      const double side = body.box().max(k) - body.box().min(k);
+    const NamedBox& around = bounds[static_cast<std::size_t>(i)];
+    for (int k = 0; k < around.box.min_size(); ++k) {
+      const double side = around.box.max(k) - around.box.min(k);
       if (side < (fewest - whole) * fluid_spacing)
-        errors.add(
-            fmt::format("solid.body.{}.box", i),
-            fmt::format("is {:.3g} spacings thick, must be at least {}", side / fluid_spacing, fewest));
+        errors.add(around.key, fmt::format("is {:.3g} spacings thick, must be at least {}",
+                                           side / fluid_spacing, fewest));
     }
     for (int j = 0; j < body.clamp_size(); ++j) {
       const std::string key = fmt::format("solid.body.{}.clamp.{}", i, j);
-      if (!check_boxes_ordered({{key, body.clamp(j)}}, errors)) continue;
-      if (!overlap(body.box(), body.clamp(j), -whole * spacing)) errors.add(key, "must touch the body's box");
+      const NamedBox clamp = named_box(key, body.clamp(j), c.dimension());
+      if (!check_boxes_ordered({clamp}, errors)) continue;
+      if (!overlap(around.box, clamp.box, -whole * spacing)) errors.add(key, "must touch the body");
     }
     for (int j = 0; j < body.support_size(); ++j) {
       const std::string key = fmt::format("solid.body.{}.support.{}", i, j);
       const v1::Box& box = body.support(j).box();
-      if (!overlap(body.box(), box, -whole * spacing)) errors.add(key + ".box", "must touch the body's box");
+      if (!overlap(around.box, box, -whole * spacing)) errors.add(key + ".box", "must touch the body");
       for (const int axis : body.support(j).along())
         if (axis >= c.dimension())
           errors.add(key + ".along", fmt::format("no \"{}\" in {} dimensions", "xyz"[axis], c.dimension()));
@@ -247,13 +296,11 @@ void check_place(const v1::Case& c, const v1::Probe& probe, const std::string& k
   v1::Box point;
   *point.mutable_min() = probe.position();
   *point.mutable_max() = probe.position();
-  const auto& bodies = c.solid().body();
-  const bool on_body = std::any_of(bodies.begin(), bodies.end(),
-                                   [&](const v1::Body& body) { return inside(point, body.box(), 1e-9); });
+  const bool on_body = body_at(c.solid(), probe.position()) >= 0;
   const bool of_body = probe.quantity() == v1::Probe::displacement || probe.quantity() == v1::Probe::force;
-  if (of_body && !on_body) errors.add(key + ".position", "must lie in or on a body's box");
+  if (of_body && !on_body) errors.add(key + ".position", "must lie in or on a body");
   if (!of_body && !on_body && !inside(point, c.fluid().tank(), 1e-9))
-    errors.add(key + ".position", "must lie in fluid.tank or on a body's box");
+    errors.add(key + ".position", "must lie in fluid.tank or on a body");
 }
 
 void check_probes(const v1::Case& c, CaseErrors& errors) {
@@ -308,6 +355,7 @@ void check_rules(const v1::Case& c, CaseErrors& errors) {
   if (!c.has_fluid() && !c.has_solid()) errors.add("", "a case needs a [fluid], a [solid], or both");
   if (c.has_coupling() && !(c.has_fluid() && c.has_solid()))
     errors.add("coupling", "only where there are a [fluid] and a [solid]");
+  if (!check_shapes(c, errors)) return;
   if (c.coupling().scheme() == v1::Coupling::weak_inertial && c.fluid().source() == v1::Fluid::deviation)
     errors.add("coupling.scheme",
                "weak_inertial needs water that answers velocities: fluid.source must be mixed or time_scale");

@@ -22,8 +22,8 @@ struct CaseErrors {
   void raise() const;
 };
 
-/// Boxes divided by their spacing, inside the tank, apart from each other; probes on their bodies; times that
-/// fit.
+/// Boxes divided by their spacing, bodies and water inside the tank and apart from each other, outlines
+/// closed; probes on their bodies; times that fit.
 void check_rules(const v1::Case& the_case, CaseErrors& errors);
 
 }  // namespace cosurge

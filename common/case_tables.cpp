@@ -72,6 +72,10 @@ void check_finite(const std::filesystem::path& file, const Numbers& numbers) {
 void read_outline(v1::Shape& shape, const std::filesystem::path& folder, int dimension) {
   if (shape.outline().empty()) return;
   const auto file = folder / shape.outline();
+  require(dimension == 3 || file.extension() != ".stl",
+          "{}: a scene of two dimensions takes a polygon, x, y a line", file.string());
+  require(dimension == 2 || file.extension() != ".csv", "{}: a scene of three dimensions takes an STL",
+          file.string());
   *shape.mutable_vertex() = dimension == 2 ? read_csv(file, 2) : read_stl(file);
   check_finite(file, shape.vertex());
 }
@@ -98,6 +102,15 @@ void read_tables(v1::Case& c, const std::filesystem::path& folder, CaseErrors& e
       errors.add(key, error.what());
     }
   };
+  for (int i = 0; i < c.solid().body_size(); ++i) {
+    v1::Body& body = *c.mutable_solid()->mutable_body(i);
+    const std::string key = fmt::format("solid.body.{}", i);
+    if (body.has_shape())
+      attempt(key + ".shape.outline", [&] { read_outline(*body.mutable_shape(), folder, c.dimension()); });
+    for (int j = 0; j < body.clamp_size(); ++j)
+      attempt(fmt::format("{}.clamp.{}.outline", key, j),
+              [&] { read_outline(*body.mutable_clamp(j), folder, c.dimension()); });
+  }
   if (!c.has_fluid()) return;
   v1::Fluid& fluid = *c.mutable_fluid();
   for (int i = 0; i < fluid.water_size(); ++i)

@@ -1,9 +1,14 @@
 #include "common/shape.hpp"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <algorithm>
+#include <limits>
 
 namespace cosurge {
 namespace {
+
+constexpr double on_the_face = 1e-9;  // m: what lies on a face lies in the body whatever the rounding
 
 template <int dim>
 Box<dim> bounds_of(const v1::Shape& shape) {
@@ -16,13 +21,15 @@ Box<dim> bounds_of(const v1::Shape& shape) {
 
 /// Whether the ray from x along the first coordinate crosses the side from a to b; its lower end counts, its
 /// upper one not.
-bool crosses(const Vec<2>& x, const Vec<2>& a, const Vec<2>& b) {
+bool crosses(const Vec<2>& x, const std::array<Vec<2>, 2>& side) {
+  const auto& [a, b] = side;
   if ((a[1] > x[1]) == (b[1] > x[1])) return false;
   return x[0] < a[0] + (x[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]);
 }
 
-/// Whether the ray from x along the first coordinate crosses the triangle a b c.
-bool crosses(const Vec<3>& x, const Vec<3>& a, const Vec<3>& b, const Vec<3>& c) {
+/// Whether the ray from x along the first coordinate crosses the triangle.
+bool crosses(const Vec<3>& x, const std::array<Vec<3>, 3>& triangle) {
+  const auto& [a, b, c] = triangle;
   Mat<2> edges;
   edges.col(0) = (b - a).tail<2>();
   edges.col(1) = (c - a).tail<2>();
@@ -33,39 +40,133 @@ bool crosses(const Vec<3>& x, const Vec<3>& a, const Vec<3>& b, const Vec<3>& c)
   return x[0] < a[0] + share[0] * (b[0] - a[0]) + share[1] * (c[0] - a[0]);
 }
 
+template <int dim>
+Vec<dim> nearest_on_segment(const Vec<dim>& x, const Vec<dim>& a, const Vec<dim>& b) {
+  const double length_squared = (b - a).squaredNorm();
+  if (length_squared == 0) return a;
+  return a + std::clamp((x - a).dot(b - a) / length_squared, 0.0, 1.0) * (b - a);
+}
+
+Vec<2> nearest_on(const Vec<2>& x, const std::array<Vec<2>, 2>& side) {
+  return nearest_on_segment<2>(x, side[0], side[1]);
+}
+
+/// The foot of the perpendicular, or where that misses the triangle the nearest point of its edges.
+Vec<3> nearest_on(const Vec<3>& x, const std::array<Vec<3>, 3>& triangle) {
+  const Vec<3> normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
+  const double twice_area = normal.norm();
+  bool inside = twice_area > 0;
+  Vec<3> best = triangle[0];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec<3>&a = triangle[k], &b = triangle[(k + 1) % 3];
+    const Vec<3> on_edge = nearest_on_segment<3>(x, a, b);
+    if ((on_edge - x).squaredNorm() < (best - x).squaredNorm()) best = on_edge;
+    inside = inside && (b - a).cross(x - a).dot(normal) >= 0;
+  }
+  return inside ? Vec<3>(x - (x - triangle[0]).dot(normal) / (twice_area * twice_area) * normal) : best;
+}
+
+template <int dim>
+int first_body_at(const v1::Solid& solid, const Vec<dim>& x) {
+  for (int b = 0; b < solid.body_size(); ++b)
+    if (Shape<dim>(shape_of(solid.body(b))).outside(x) <= on_the_face) return b;
+  return -1;
+}
+
 }  // namespace
 
 template <int dim>
 Shape<dim>::Shape(const v1::Shape& shape) : bounds_(bounds_of<dim>(shape)) {
-  for (int k = 0; k < shape.vertex_size(); k += dim)
-    vertex_.emplace_back(Eigen::Map<const Vec<dim>>(shape.vertex().data() + k));
+  const int corners = shape.vertex_size() / dim;
+  const auto corner = [&](int k) {
+    return Vec<dim>(Eigen::Map<const Vec<dim>>(shape.vertex().data() + k % corners * dim));
+  };
+  if constexpr (dim == 2)
+    for (int k = 0; k < corners; ++k) facets_.push_back({corner(k), corner(k + 1)});
+  else
+    for (int k = 0; k + 2 < corners; k += 3) facets_.push_back({corner(k), corner(k + 1), corner(k + 2)});
 }
 
 template <int dim>
 bool Shape<dim>::contains(const Vec<dim>& x) const {
   if (!bounds_.contains(x)) return false;
-  if (vertex_.empty()) return true;
+  if (is_box()) return true;
+  Vec<dim> start = x;
+  // A little aside of where edges lie: a ray along the edge of two triangles would meet both or none.
+  if constexpr (dim == 3) start += 1e-9 * (bounds_.max - bounds_.min).norm() * Vec<3>(0, 1, 0.618);
   int crossings = 0;
-  if constexpr (dim == 2) {
-    for (std::size_t k = 0; k < vertex_.size(); ++k)
-      crossings += crosses(x, vertex_[k], vertex_[(k + 1) % vertex_.size()]) ? 1 : 0;
-  } else {
-    // A little aside of where edges lie: a ray along the edge of two triangles would meet both or none.
-    const Vec<3> aside = x + 1e-9 * (bounds_.max - bounds_.min).norm() * Vec<3>(0, 1, 0.618);
-    for (std::size_t k = 0; k + 2 < vertex_.size(); k += 3)
-      crossings += crosses(aside, vertex_[k], vertex_[k + 1], vertex_[k + 2]) ? 1 : 0;
-  }
+  for (const Facet& facet : facets_) crossings += crosses(start, facet) ? 1 : 0;
   return crossings % 2 == 1;
 }
 
 template <int dim>
+Vec<dim> Shape<dim>::nearest(const Vec<dim>& x) const {
+  if (is_box()) {
+    Vec<dim> on = x.cwiseMax(bounds_.min).cwiseMin(bounds_.max);
+    if (on != x) return on;
+    Eigen::Index low = 0, high = 0;
+    const double below = (x - bounds_.min).minCoeff(&low), above = (bounds_.max - x).minCoeff(&high);
+    if (below < above)
+      on[low] = bounds_.min[low];
+    else
+      on[high] = bounds_.max[high];
+    return on;
+  }
+  Vec<dim> best = x;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Facet& facet : facets_) {
+    const Vec<dim> on = nearest_on(x, facet);
+    if ((on - x).squaredNorm() >= least) continue;
+    least = (on - x).squaredNorm();
+    best = on;
+  }
+  return best;
+}
+
+template <int dim>
+double Shape<dim>::outside(const Vec<dim>& x) const {
+  return contains(x) ? 0 : (x - nearest(x)).cwiseAbs().maxCoeff();
+}
+
+template <int dim>
+double Shape<dim>::share_outside(const Vec<dim>& x, const Vec<dim>& way) const {
+  double out = 0, in = 1;
+  if (is_box()) {
+    for (int k = 0; k < dim; ++k) {
+      if (x[k] < bounds_.min[k]) out = std::max(out, (bounds_.min[k] - x[k]) / way[k]);
+      if (x[k] > bounds_.max[k]) out = std::max(out, (bounds_.max[k] - x[k]) / way[k]);
+    }
+    return out;
+  }
+  for (int halving = 0; halving < 50; ++halving) {
+    const double middle = 0.5 * (out + in);
+    (contains(x + middle * way) ? in : out) = middle;
+  }
+  return in;
+}
+
+template <int dim>
 std::vector<Vec<dim>> Shape<dim>::fill(double spacing) const {
-  if (vertex_.empty()) return cosurge::fill(bounds_, spacing);
+  if (is_box()) return cosurge::fill(bounds_, spacing);
   const Vec<dim> margin = Vec<dim>::Constant(spacing);
   std::vector<Vec<dim>> sites;
   for (const Vec<dim>& x : cosurge::fill(Box<dim>(bounds_.min - margin, bounds_.max + margin), spacing))
     if (contains(x)) sites.push_back(x);
   return sites;
+}
+
+v1::Shape shape_of(const v1::Box& box) {
+  v1::Shape shape;
+  *shape.mutable_min() = box.min();
+  *shape.mutable_max() = box.max();
+  return shape;
+}
+
+v1::Shape shape_of(const v1::Body& body) { return body.has_shape() ? body.shape() : shape_of(body.box()); }
+
+int body_at(const v1::Solid& solid, const google::protobuf::RepeatedField<double>& position) {
+  return position.size() == 2 ? first_body_at<2>(solid, Eigen::Map<const Vec<2>>(position.data()))
+                              : first_body_at<3>(solid, Eigen::Map<const Vec<3>>(position.data()));
 }
 
 template class Shape<2>;

@@ -1,6 +1,8 @@
 // Regions of a case, and the sites of the lattice within them.
 #pragma once
 
+#include <array>
+
 #include "common/lattice.hpp"
 
 namespace cosurge {
@@ -9,20 +11,42 @@ namespace cosurge {
 template <int dim>
 class Shape {
  public:
+  /// A side of a polygon, or a triangle.
+  using Facet = std::array<Vec<dim>, dim>;
+
   explicit Shape(const v1::Shape& shape);
 
   /// Whether x is inside: on a box's boundary is, on an outline's may be. An outline is crossed by a ray
   /// along the first coordinate an odd number of times from inside (Shimrat 1962, CACM 5, 434).
   bool contains(const Vec<dim>& x) const;
 
+  bool is_box() const { return facets_.empty(); }
   const Box<dim>& bounds() const { return bounds_; }
+  const std::vector<Facet>& facets() const { return facets_; }  ///< of an outline; none for a box
+
+  /// The point of the boundary that is nearest to x.
+  Vec<dim> nearest(const Vec<dim>& x) const;
+
+  /// How far x lies outside, along the axis where it is farthest [m]; 0 inside.
+  double outside(const Vec<dim>& x) const;
+
+  /// Share of the way from x, outside, to x + way, inside, before it enters.
+  double share_outside(const Vec<dim>& x, const Vec<dim>& way) const;
 
   /// Sites of the lattice that lie inside, the first coordinate fastest.
   std::vector<Vec<dim>> fill(double spacing) const;
 
  private:
   Box<dim> bounds_;
-  std::vector<Vec<dim>> vertex_;  // of an outline; none for a box
+  std::vector<Facet> facets_;
 };
+
+v1::Shape shape_of(const v1::Box& box);
+
+/// The shape of a body, which the case gives as a box or as any shape.
+v1::Shape shape_of(const v1::Body& body);
+
+/// The first body in or on which a point lies, to rounding; -1 where there is none.
+int body_at(const v1::Solid& solid, const google::protobuf::RepeatedField<double>& position);
 
 }  // namespace cosurge

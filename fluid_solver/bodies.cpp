@@ -8,17 +8,18 @@
 namespace cosurge::fluid {
 namespace {
 
-/// A_0 of the lattice point x: the faces of its cell that no material and no wall covers.
+/// A_0 of the body's site x: the faces of its cell that no material and no wall covers.
 template <int dim>
-Vec<dim> wet_faces(const Vec<dim>& x, const std::vector<Box<dim>>& covered, const Box<dim>& tank,
-                   double spacing) {
+Vec<dim> wet_faces(const Vec<dim>& x, const BodySites<dim>& body, const std::vector<Shape<dim>>& clamps,
+                   const Box<dim>& tank, double spacing) {
   Vec<dim> area = Vec<dim>::Zero();
   for (int axis = 0; axis < dim; ++axis) {
     for (const double side : {-1.0, 1.0}) {
       Vec<dim> across = x;
       across[axis] += side * spacing;
-      const bool dry =
-          std::any_of(covered.begin(), covered.end(), [&](const Box<dim>& b) { return b.contains(across); });
+      const bool dry = body.contains(across) ||
+                       std::any_of(clamps.begin(), clamps.end(),
+                                   [&](const Shape<dim>& clamp) { return clamp.contains(across); });
       const bool walled = (axis < dim - 1 || side < 0) && !tank.contains(across);
       if (!dry && !walled) area[axis] += side;
     }
@@ -32,11 +33,11 @@ template <int dim>
 Bodies<dim>::Bodies(const v1::Solid& solid, const Box<dim>& tank, double spacing) {
   for (int b = 0; b < solid.body_size(); ++b) {
     const v1::Body& body = solid.body(b);
-    std::vector<Box<dim>> covered = {Box<dim>(body.box())};
-    for (const v1::Box& clamp : body.clamp()) covered.emplace_back(clamp);
-    for (const Vec<dim>& x : fill(covered.front(), spacing)) {
+    const BodySites<dim> sites(body, spacing);
+    const std::vector<Shape<dim>> clamps(body.clamp().begin(), body.clamp().end());
+    for (const Vec<dim>& x : sites.all()) {
       position_.push_back(x);
-      area_.push_back(wet_faces(x, covered, tank, spacing));
+      area_.push_back(wet_faces(x, sites, clamps, tank, spacing));
       body_.push_back(b);
     }
   }

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "common/lattice.hpp"
+#include "common/body_sites.hpp"
 #include "common/participant.hpp"
 
 namespace cosurge::fluid {
@@ -14,9 +14,9 @@ class Bodies {
  public:
   Bodies() = default;
 
-  /// Fills the boxes of the bodies. Area vectors count the missing lattice faces, A_0 = l0^(d-1) sum of face
-  /// normals, eq. (14); faces towards a clamp or out of `tank` are not wet. So the areas of a body that is
-  /// wet all around add up to zero and uniform pressure gives no net force.
+  /// Points on the sites of the bodies. Area vectors count the missing lattice faces, A_0 = l0^(d-1) sum of
+  /// face normals, eq. (14); faces towards a clamp or out of `tank` are not wet. So the areas of a body that
+  /// is wet all around add up to zero and uniform pressure gives no net force.
   Bodies(const v1::Solid& solid, const Box<dim>& tank, double spacing);
 
   int points() const { return static_cast<int>(position_.size()); }

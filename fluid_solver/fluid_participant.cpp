@@ -114,7 +114,7 @@ class FluidParticipant::SceneOf : public Scene {
 
   void add_gauge(const v1::Probe& probe, const Interface& interface, std::vector<Column>& columns) {
     const Vec<dim> x = Eigen::Map<const Vec<dim>>(probe.position().data());
-    const int body = body_at(x);
+    const int body = body_at(case_.solid(), probe.position());
     const double floor = case_.fluid().tank().min(dim - 1);
     switch (probe.quantity()) {
       case v1::Probe::displacement:
@@ -142,16 +142,6 @@ class FluidParticipant::SceneOf : public Scene {
           });
         }
     }
-  }
-
-  /// The body in or on whose box x lies, -1 where there is none.
-  int body_at(const Vec<dim>& x) const {
-    const Vec<dim> margin = Vec<dim>::Constant(1e-9);
-    for (int b = 0; b < case_.solid().body_size(); ++b)
-      if (const Box<dim> box(case_.solid().body(b).box());
-          Box<dim>(box.min - margin, box.max + margin).contains(x))
-        return b;
-    return -1;
   }
 
   v1::Case case_;

@@ -56,17 +56,17 @@ Mps<dim>::Mps(const v1::Fluid& fluid, const v1::Solid* solid, const Vec<dim>& gr
       neighbors_(walls_.domain(), fluid.re_gradient() * fluid.spacing()),
       poisson_(poisson_parameters<dim>(fluid, gravity)),
       preconditioner_(make_preconditioner(fluid.pressure())) {
-  add_water(solid);
+  std::vector<BodySites<dim>> sites;
+  for (int b = 0; solid != nullptr && b < solid->body_size(); ++b)
+    sites.emplace_back(solid->body(b), fluid.spacing());
+  add_water(sites);
   propagation_speed_ = fluid.has_propagation_speed() ? fluid.propagation_speed()
                                                      : shallow_speed(particles_.x, gravity, fluid.spacing());
   walls_.add_to(particles_);
   first_body_id_ = particles_.size();
   const Box<dim> tank(fluid.tank());
-  if (solid != nullptr) {
-    std::vector<Box<dim>> boxes;
-    for (const v1::Body& body : solid->body()) boxes.emplace_back(body.box());
-    bury_walls(particles_, tank, boxes, fluid.re_gradient() * fluid.spacing(), fluid.spacing());
-  }
+  if (!sites.empty())
+    bury_walls(particles_, tank, sites, fluid.re_gradient() * fluid.spacing(), fluid.spacing());
   if (solid != nullptr) bodies_ = Bodies<dim>(*solid, tank, fluid.spacing());
   for (int k = 0; k < bodies_.points(); ++k)
     particles_.add(bodies_.wet(k) ? Kind::body_surface : Kind::body_inner, bodies_.position(k));
@@ -82,24 +82,21 @@ Mps<dim>::Mps(const v1::Fluid& fluid, const v1::Solid* solid, const Vec<dim>& gr
   move_bodies(at_rest, at_rest);
 }
 
-/// Fills the shapes of water; it gives way to obstacles, and where a shape is an outline also to bodies, the
-/// tank and the shapes before it. (Boxes that overlap are refused when the case is read.)
+/// Fills the shapes of water; it gives way to obstacles and bodies, and where a shape is an outline also to
+/// the tank and the shapes before it. (Boxes that overlap are refused when the case is read.)
 template <int dim>
-void Mps<dim>::add_water(const v1::Solid* solid) {
+void Mps<dim>::add_water(const std::vector<BodySites<dim>>& bodies) {
   std::vector<Shape<dim>> filled;
   const Box<dim> tank(parameters_.tank());
-  const auto taken = [&](const Vec<dim>& x) {
-    if (!tank.contains(x)) return true;
-    for (const Shape<dim>& shape : filled)
-      if (shape.contains(x)) return true;
-    for (int b = 0; solid != nullptr && b < solid->body_size(); ++b)
-      if (Box<dim>(solid->body(b).box()).contains(x)) return true;
-    return false;
+  const auto taken = [&](const Vec<dim>& x, const Shape<dim>& by) {
+    const auto holds = [&](const auto& region) { return region.contains(x); };
+    if (walls_.covers(x) || std::any_of(bodies.begin(), bodies.end(), holds)) return true;
+    return !by.is_box() && (!tank.contains(x) || std::any_of(filled.begin(), filled.end(), holds));
   };
   for (const v1::Shape& water : parameters_.water()) {
     const Shape<dim> shape(water);
     for (const Vec<dim>& x : shape.fill(parameters_.spacing()))
-      if (!walls_.covers(x) && (water.vertex().empty() || !taken(x))) particles_.add(Kind::fluid, x);
+      if (!taken(x, shape)) particles_.add(Kind::fluid, x);
     filled.push_back(shape);
   }
   require(particles_.size() > 0,

@@ -65,7 +65,7 @@ class Mps {
  private:
   template <typename Self, typename Visit>
   static void each_field(Self& self, Visit&& visit);
-  void add_water(const v1::Solid* solid);
+  void add_water(const std::vector<BodySites<dim>>& bodies);
   void advance_to_pressure(double start, double dt);
   void return_to_pressure();
   void predict(double start, double dt);

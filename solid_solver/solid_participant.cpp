@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "common/error.hpp"
-#include "common/lattice.hpp"
+#include "common/shape.hpp"
 #include "common/solvers.hpp"
 #include "common/state_bytes.hpp"
 #include "common/version.hpp"
@@ -15,20 +15,11 @@ namespace cosurge {
 namespace {
 
 constexpr double no_limit = std::numeric_limits<double>::infinity();
-constexpr double on_the_face = 1e-9;  // m: a probe on a face of its body lies in it whatever the rounding
-
-bool holds(const v1::Box& box, const v1::Probe& probe) {
-  for (int k = 0; k < box.min_size(); ++k)
-    if (probe.position(k) < box.min(k) - on_the_face || probe.position(k) > box.max(k) + on_the_face)
-      return false;
-  return true;
-}
-
 int body_of(const v1::Probe& probe, const v1::Solid& solid) {
-  for (int b = 0; b < solid.body_size(); ++b)
-    if (holds(solid.body(b).box(), probe)) return b;
-  throw Error(fmt::format("output.probe \"{}\": position ({}) lies in no body", probe.name(),
-                          fmt::join(probe.position(), ", ")));
+  const int body = body_at(solid, probe.position());
+  require(body >= 0, "output.probe \"{}\": position ({}) lies in no body", probe.name(),
+          fmt::join(probe.position(), ", "));
+  return body;
 }
 
 }  // namespace

@@ -9,7 +9,8 @@
 namespace cosurge {
 namespace {
 
-void set(v1::Box& box, std::initializer_list<double> min, std::initializer_list<double> max) {
+template <typename Corners>
+void set(Corners& box, std::initializer_list<double> min, std::initializer_list<double> max) {
   for (const double x : min) box.add_min(x);
   for (const double x : max) box.add_max(x);
 }
@@ -23,6 +24,7 @@ v1::Case PlateCase::make() const {
   c.add_gravity(0);
   v1::Solid& solid = *c.mutable_solid();
   solid.set_model(model);
+  solid.mutable_mps()->set_pairs(pairs);
   solid.set_spacing(spacing());
   solid.set_density(plate.density);
   solid.set_young_modulus(plate.young_modulus);

@@ -14,6 +14,7 @@ namespace cosurge {
 /// A model of an upright plate with its left foot at the origin.
 struct PlateCase {
   v1::SolidModel::Word model = v1::SolidModel::mps;
+  v1::SolidMps::Pairs pairs = v1::SolidMps::corrected;  ///< of `mps`
   Cantilever plate;
   int particles = 12;    ///< through the thickness; elements have three of them along a side
   bool clamped = true;   ///< at the foot

@@ -18,14 +18,17 @@ class Recording : public Observer {
     const auto solid = the_case.has_solid() ? make_solid_solver() : nullptr;
     Coupler coupler(the_case, {.fluid = fluid.get(), .solid = solid.get()});
     members_ = coupler.members();
+    coupling_ = coupler.columns();
     coupler.run({this}, [] { return false; });
   }
 
-  void window(const Window& window, const Reports& reports, const std::vector<double>&) override {
+  void window(const Window& window, const Reports& reports, const std::vector<double>& coupling) override {
     time_.push_back(window.start + window.size);
     for (std::size_t m = 0; m < reports.size(); ++m)
       for (std::size_t c = 0; c < reports[m].values.size(); ++c)
         columns_[members_[m].name + "/" + members_[m].setup.columns[c].name].push_back(reports[m].values[c]);
+    for (std::size_t c = 0; c < coupling.size(); ++c)
+      columns_["coupling/" + coupling_[c].name].push_back(coupling[c]);
   }
 
   void frame(double time, const std::vector<Snapshot>& snapshots) override {
@@ -33,12 +36,13 @@ class Recording : public Observer {
   }
 
   const std::vector<double>& time() const { return time_; }
-  /// "fluid/front", "solid/tip_x", ...
+  /// "fluid/front", "solid/tip_x", "coupling/work_points", ...
   const std::vector<double>& column(const std::string& name) const { return columns_.at(name); }
   const std::vector<std::pair<double, std::vector<Snapshot>>>& frames() const { return frames_; }
 
  private:
   std::vector<Member> members_;
+  std::vector<Column> coupling_;
   std::vector<double> time_;
   std::map<std::string, std::vector<double>> columns_;
   std::vector<std::pair<double, std::vector<Snapshot>>> frames_;

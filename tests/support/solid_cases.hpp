@@ -10,7 +10,9 @@ namespace cosurge::test {
 
 inline constexpr double l0 = 0.001;
 
-inline void set_box(v1::Box& box, const std::vector<double>& min, const std::vector<double>& max) {
+/// @param box a Box, or a Shape that is one
+template <typename Corners>
+void set_box(Corners& box, const std::vector<double>& min, const std::vector<double>& max) {
   box.mutable_min()->Assign(min.begin(), min.end());
   box.mutable_max()->Assign(max.begin(), max.end());
 }

@@ -62,11 +62,7 @@ inline v1::Fluid tank_of_water(double spacing, const v1::Box& tank, const std::v
   v1::Fluid fluid;
   fluid.set_spacing(spacing);
   *fluid.mutable_tank() = tank;
-  for (const v1::Box& box : water) {
-    v1::Shape& shape = *fluid.add_water();
-    *shape.mutable_min() = box.min();
-    *shape.mutable_max() = box.max();
-  }
+  for (const v1::Box& box : water) *fluid.add_water() = shape_of(box);
   return fluid;
 }
 
@@ -85,7 +81,7 @@ inline v1::Solid solid_of(const v1::Box& box, const std::vector<v1::Box>& clamps
   v1::Solid solid;
   v1::Body& body = *solid.add_body();
   *body.mutable_box() = box;
-  for (const v1::Box& clamp : clamps) *body.add_clamp() = clamp;
+  for (const v1::Box& clamp : clamps) *body.add_clamp() = shape_of(clamp);
   return solid;
 }
 

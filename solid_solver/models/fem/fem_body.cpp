@@ -1,6 +1,7 @@
 #include "solid_solver/models/fem/fem_body.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <algorithm>
 #include <limits>
 
@@ -9,14 +10,24 @@ template <int dim>
 FemBody<dim>::FemBody(const v1::Body& body, int index, double longest, const Elasticity& material,
                       const Vec<dim>& gravity)
     : material_(material), mesh_(body, index, longest) {
-  const Vec<dim> scale = 2 / mesh_.side().array();
-  const auto samples = Element::gauss();
-  for (std::size_t g = 0; g < samples.size(); ++g)
-    quadrature_[g] = {.gradients = Element::gradients(samples[g].xi) * scale.asDiagonal(),
-                      .volume = samples[g].weight / scale.prod()};
+  make_quadratures();
   number_unknowns();
   make_pattern();
   integrate_mass(gravity);
+}
+
+template <int dim>
+void FemBody<dim>::make_quadratures() {
+  const auto samples = Element::gauss();
+  quadratures_.resize(mesh_.even() ? 1 : static_cast<std::size_t>(mesh_.elements()));
+  for (std::size_t e = 0; e < quadratures_.size(); ++e) {
+    for (std::size_t g = 0; g < samples.size(); ++g) {
+      const auto G = Element::gradients(samples[g].xi);
+      const Mat<dim> J = mesh_.even() ? Mat<dim>((0.5 * mesh_.side()).asDiagonal())
+                                      : Mat<dim>(mesh_.corners(static_cast<Eigen::Index>(e)) * G);
+      quadratures_[e][g] = {.gradients = G * J.inverse(), .volume = samples[g].weight * J.determinant()};
+    }
+  }
 }
 
 template <int dim>
@@ -57,19 +68,19 @@ void FemBody<dim>::make_pattern() {
 
 template <int dim>
 void FemBody<dim>::integrate_mass(const Vec<dim>& gravity) {
-  Stiffness part = Stiffness::Zero();
-  typename Element::Values share = Element::Values::Zero();
   const auto samples = Element::gauss();
-  for (std::size_t g = 0; g < samples.size(); ++g) {
-    const typename Element::Values N = Element::values(samples[g].xi);
-    const double mass = material_.density * quadrature_[g].volume;
-    share += mass * N;
-    for (int a = 0; a < Element::nodes; ++a)
-      for (int b = 0; b < Element::nodes; ++b)
-        for (int k = 0; k < dim; ++k) part(a * dim + k, b * dim + k) += mass * N[a] * N[b];
-  }
   Field weight = Field::Zero(dim, mesh_.nodes());
   for (Eigen::Index e = 0; e < mesh_.elements(); ++e) {
+    Stiffness part = Stiffness::Zero();
+    typename Element::Values share = Element::Values::Zero();
+    for (std::size_t g = 0; g < samples.size(); ++g) {
+      const typename Element::Values N = Element::values(samples[g].xi);
+      const double mass = material_.density * quadratures(e)[g].volume;
+      share += mass * N;
+      for (int a = 0; a < Element::nodes; ++a)
+        for (int b = 0; b < Element::nodes; ++b)
+          for (int k = 0; k < dim; ++k) part(a * dim + k, b * dim + k) += mass * N[a] * N[b];
+    }
     scatter(part, e, mass_);
     for (int a = 0; a < Element::nodes; ++a) weight.col(mesh_.node(e, a)) += share[a] * gravity;
   }
@@ -102,7 +113,7 @@ typename FemBody<dim>::InternalForce FemBody<dim>::internal_force(const Vector& 
   for (Eigen::Index e = 0; e < mesh_.elements(); ++e) {
     const Nodal moved = gather(u, e);
     Nodal force = Nodal::Zero();
-    for (const Quadrature& q : quadrature_) {
+    for (const Quadrature& q : quadratures(e)) {
       const Mat<dim> H = moved * q.gradients, F = Mat<dim>::Identity() + H;
       force += q.volume * (F * respond<dim>(H, material_).S) * q.gradients.transpose();
       result.least_volume = std::min(result.least_volume, F.determinant());
@@ -119,9 +130,9 @@ typename FemBody<dim>::InternalForce FemBody<dim>::internal_force(const Vector& 
 }
 
 template <int dim>
-typename FemBody<dim>::Stiffness FemBody<dim>::element_tangent(const Nodal& u) const {
+typename FemBody<dim>::Stiffness FemBody<dim>::element_tangent(const Nodal& u, Eigen::Index element) const {
   Stiffness part = Stiffness::Zero();
-  for (const Quadrature& q : quadrature_) {
+  for (const Quadrature& q : quadratures(element)) {
     const Mat<dim> H = u * q.gradients, F = Mat<dim>::Identity() + H;
     const Response<dim> material = respond<dim>(H, material_);
     const double a_volume = q.volume * material.a, b_volume = q.volume * material.b;
@@ -147,7 +158,7 @@ template <int dim>
 Matrix FemBody<dim>::tangent(const Vector& u) const {
   Matrix whole = mass_;
   whole.coeffs().setZero();
-  for (Eigen::Index e = 0; e < mesh_.elements(); ++e) scatter(element_tangent(gather(u, e)), e, whole);
+  for (Eigen::Index e = 0; e < mesh_.elements(); ++e) scatter(element_tangent(gather(u, e), e), e, whole);
   return whole;
 }
 
@@ -156,7 +167,7 @@ double FemBody<dim>::elastic_energy(const Vector& u) const {
   double energy = 0;
   for (Eigen::Index e = 0; e < mesh_.elements(); ++e) {
     const Nodal moved = gather(u, e);
-    for (const Quadrature& q : quadrature_)
+    for (const Quadrature& q : quadratures(e))
       energy += q.volume * respond<dim>(moved * q.gradients, material_).energy;
   }
   return energy;
@@ -169,34 +180,36 @@ Vector FemBody<dim>::momentum(const Vector& v) const {
 
 template <int dim>
 typename FemBody<dim>::Deformation FemBody<dim>::deformation(const Vector& u) const {
-  static const auto gradients = [] {
-    std::array<typename Element::Gradients, Element::nodes> all;
-    for (int a = 0; a < Element::nodes; ++a)
-      all[static_cast<std::size_t>(a)] =
-          Element::gradients(Element::place(a).template cast<double>().array() - 1);
-    return all;
-  }();
   const Vec<dim> scale = 2 / mesh_.side().array();
+  std::vector<typename Element::Gradients> at_nodes;
+  for (int a = 0; a < Element::nodes && mesh_.even(); ++a)
+    at_nodes.push_back(Element::gradients(Element::place(a).template cast<double>().array() - 1) *
+                       scale.asDiagonal());
   Deformation largest;
+  const auto add = [&](const Mat<dim>& H) {
+    const Mat<dim> turn = 0.5 * (H - H.transpose()), strain = 0.5 * (H + H.transpose());
+    largest.rotation = std::max(largest.rotation, turn.norm() / std::sqrt(2.0));
+    const auto principal =
+        Eigen::SelfAdjointEigenSolver<Mat<dim>>().computeDirect(strain, Eigen::EigenvaluesOnly).eigenvalues();
+    largest.strain = std::max(largest.strain, principal.cwiseAbs().maxCoeff());
+  };
   for (Eigen::Index e = 0; e < mesh_.elements(); ++e) {
     const Nodal moved = gather(u, e);
-    for (const auto& G : gradients) {
-      const Mat<dim> H = moved * G * scale.asDiagonal();
-      const Mat<dim> turn = 0.5 * (H - H.transpose()), strain = 0.5 * (H + H.transpose());
-      largest.rotation = std::max(largest.rotation, turn.norm() / std::sqrt(2.0));
-      const auto principal = Eigen::SelfAdjointEigenSolver<Mat<dim>>()
-                                 .computeDirect(strain, Eigen::EigenvaluesOnly)
-                                 .eigenvalues();
-      largest.strain = std::max(largest.strain, principal.cwiseAbs().maxCoeff());
-    }
+    for (const auto& G : at_nodes) add(moved * G);
+    for (const Quadrature& q : quadratures(e))
+      if (!mesh_.even()) add(moved * q.gradients);
   }
   return largest;
 }
 
 template <int dim>
 Mat<dim> FemBody<dim>::displacement_gradient(const Vector& u, const typename Mesh<dim>::Place& place) const {
-  const Vec<dim> scale = 2 / mesh_.side().array();
-  return gather(u, place.element) * Element::gradients(place.xi) * scale.asDiagonal();
+  const Nodal moved = gather(u, place.element);
+  if (mesh_.even())
+    return moved * Element::gradients(place.xi) * Vec<dim>(2 / mesh_.side().array()).asDiagonal();
+  const double outermost = std::sqrt(0.6);
+  const auto G = Element::gradients(place.xi.cwiseMax(-outermost).cwiseMin(outermost));
+  return moved * G * Mat<dim>(mesh_.corners(place.element) * G).inverse();
 }
 
 template <int dim>

@@ -25,14 +25,14 @@ class FemBody {
     double least_volume;  ///< smallest det F: 0 and less where an element is turned inside out
   };
 
-  /// Largest values over the elements' nodes.
+  /// Largest values over the elements' nodes; over their Gauss points where they are fitted to an outline.
   struct Deformation {
     double rotation = 0;  ///< of the antisymmetric part of the displacement gradient [rad], small angles
     double strain = 0;    ///< largest principal value of its symmetric part, either sign [-]
   };
 
   /// @param index of the body, for messages
-  /// @param longest side of an element [m], 0 for a third of the thinnest side
+  /// @param longest side of an element [m], 0 for a third of the thickness
   FemBody(const v1::Body& body, int index, double longest, const Elasticity& material,
           const Vec<dim>& gravity);
 
@@ -47,7 +47,8 @@ class FemBody {
   Vector momentum(const Vector& v) const;           ///< M v
   Deformation deformation(const Vector& u) const;
 
-  /// Grad u in a point of an element, d u_i / d X_j [-].
+  /// Grad u in a point of an element, d u_i / d X_j [-]; of a fitted element in its part between Gauss points
+  /// that is nearest, as its corners may have none.
   Mat<dim> displacement_gradient(const Vector& u, const typename Mesh<dim>::Place& place) const;
 
   /// Values at the nodes, dimension x nodes, to and from unknowns; held nodes have none, and zero.
@@ -60,24 +61,29 @@ class FemBody {
   using Nodal = Eigen::Matrix<double, dim, Element::nodes>;
   using Stiffness = Eigen::Matrix<double, components, components>;
 
-  /// Gradients by X and the volume of one Gauss point, the same in all elements.
+  /// Gradients by X and the volume of one Gauss point.
   struct Quadrature {
     typename Element::Gradients gradients;  // [1/m]
     double volume;                          // [m^dim]
   };
+  using Quadratures = std::array<Quadrature, Element::nodes>;
 
+  void make_quadratures();
+  const Quadratures& quadratures(Eigen::Index element) const {
+    return quadratures_[mesh_.even() ? 0 : static_cast<std::size_t>(element)];
+  }
   void number_unknowns();
   void make_pattern();
   void integrate_mass(const Vec<dim>& gravity);
   Nodal gather(const Vector& u, Eigen::Index element) const;
-  Stiffness element_tangent(const Nodal& u) const;
+  Stiffness element_tangent(const Nodal& u, Eigen::Index element) const;
   void scatter(const Stiffness& part, Eigen::Index element, Matrix& whole) const;
 
   Elasticity material_;
   Mesh<dim> mesh_;
-  std::array<Quadrature, Element::nodes> quadrature_;
-  std::vector<Eigen::Index> component_;  // node * dim + axis of each unknown
-  std::vector<Eigen::Index> unknown_;    // of each component, -1 where held
+  std::vector<Quadratures> quadratures_;  // of each element; one where they are all the same
+  std::vector<Eigen::Index> component_;   // node * dim + axis of each unknown
+  std::vector<Eigen::Index> unknown_;     // of each component, -1 where held
   Matrix mass_;
   std::vector<Eigen::Index>
       slot_;  // of an element's entry in the values of a matrix, -1: not in the triangle

@@ -1,71 +1,63 @@
 #include "solid_solver/models/fem/mesh.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
+#include <limits>
 
 #include "common/error.hpp"
 
 namespace cosurge::fem {
 namespace {
 
-constexpr double rounding = 1e-6;  // of a side: 0.0800000001 m of elements of 0.02 m are four
-constexpr double most_elements = 1e6;
+constexpr double rounding = 1e-6;  // of a side
+
+/// Newton's method for sum N_a(xi) X_a = x; false where it finds no xi near the element.
+template <int dim>
+bool invert(const Eigen::Matrix<double, dim, QuadraticElement<dim>::nodes>& corners, const Vec<dim>& x,
+            Vec<dim>& xi) {
+  using Element = QuadraticElement<dim>;
+  constexpr int most = 30;
+  constexpr double settled = 1e-14;
+  constexpr double far = 3;
+  xi.setZero();
+  for (int k = 0; k < most; ++k) {
+    const Mat<dim> J = corners * Element::gradients(xi);
+    if (J.determinant() == 0) return false;
+    const Vec<dim> change = J.inverse() * (x - corners * Element::values(xi));
+    xi += change;
+    if (!(xi.cwiseAbs().maxCoeff() < far)) return false;
+    if (change.cwiseAbs().maxCoeff() < settled) return true;
+  }
+  return (x - corners * Element::values(xi)).norm() < 1e-12 * (corners.col(0) - corners.col(2)).norm();
+}
 
 }  // namespace
 
 template <int dim>
-Mesh<dim>::Mesh(const v1::Body& body, int index, double longest) : box_(body.box()) {
-  const Vec<dim> sides = box_.max - box_.min;
-  if (longest == 0) longest = sides.minCoeff() / 3;
-  const Vec<dim> counts = (sides / longest).array().max(rounding) - rounding;
-  require(counts.array().ceil().prod() <= most_elements,
-          "solid.fem.element = {:.3g} m makes {:.3g} elements of solid.body.{}, more than {:.0g}", longest,
-          counts.array().ceil().prod(), index, most_elements);
-  counts_ = counts.array().ceil().max(1).template cast<Eigen::Index>();
-  side_ = sides.array() / counts_.template cast<double>().array();
-  number_elements();
+Mesh<dim>::Mesh(const v1::Body& body, int index, double longest)
+    : shape_(shape_of(body)), grid_(shape_, longest, index), margin_(rounding * side().minCoeff()) {
   hold(body, index);
 }
 
 template <int dim>
-void Mesh<dim>::number_elements() {
-  const Index grid = 2 * counts_ + Index::Ones();
-  Index stride = Index::Ones();
-  for (int k = 1; k < dim; ++k) stride[k] = stride[k - 1] * grid[k - 1];
-  position_.resize(dim, grid.prod());
-  for (Eigen::Index n = 0; n < position_.cols(); ++n)
-    for (int k = 0; k < dim; ++k)
-      position_(k, n) = box_.min[k] + 0.5 * side_[k] * static_cast<double>(n / stride[k] % grid[k]);
-  for (int a = 0; a < Element::nodes; ++a)
-    offset_[static_cast<std::size_t>(a)] = stride.dot(Element::place(a).template cast<Eigen::Index>());
-  for (Eigen::Index e = 0; e < counts_.prod(); ++e) {
-    Eigen::Index rest = e, corner = 0;
-    for (int k = 0; k < dim; ++k, rest /= counts_[k - 1]) corner += stride[k] * 2 * (rest % counts_[k]);
-    corner_.push_back(corner);
-  }
-}
-
-template <int dim>
 void Mesh<dim>::hold(const v1::Body& body, int index) {
-  const double margin = rounding * side_.minCoeff();
-  const Supports<dim> supports(body, margin);
+  const Supports<dim> supports(body, margin_);
   std::vector<Vec<dim>> points;
   for (Eigen::Index n = 0; n < nodes(); ++n) {
-    points.emplace_back(position_.col(n));
+    points.emplace_back(position().col(n));
     held_.push_back(supports.held(points.back()));
   }
   supports.require_points(points, index, "node");
-  for (const v1::Box& clamp : body.clamp()) {
-    const Box<dim> box(clamp);
-    const Vec<dim> widen = Vec<dim>::Constant(margin);
-    clamps_.emplace_back(box.min - widen, box.max + widen);
+  for (const v1::Shape& clamp : body.clamp()) {
+    clamps_.emplace_back(clamp);
     bool any = false;
     for (std::size_t n = 0; n < points.size(); ++n) {
-      if (!clamps_.back().contains(points[n])) continue;
+      if (clamps_.back().outside(points[n]) > margin_) continue;
       held_[n].fill(true);
       any = true;
     }
     require(any, "solid.body.{}.clamp.{}: no node of the mesh lies in it; make solid.fem.element <= {:.3g} m",
-            index, clamps_.size() - 1, side_.minCoeff() / 2);
+            index, clamps_.size() - 1, side().minCoeff() / 2);
   }
   const auto free = [](const Axes<dim>& held) {
     return std::find(held.begin(), held.end(), false) != held.end();
@@ -75,28 +67,55 @@ void Mesh<dim>::hold(const v1::Body& body, int index) {
 }
 
 template <int dim>
-typename Mesh<dim>::Place Mesh<dim>::place(const Vec<dim>& x) const {
+Eigen::Matrix<double, dim, Mesh<dim>::Element::nodes> Mesh<dim>::corners(Eigen::Index element) const {
+  Eigen::Matrix<double, dim, Element::nodes> all;
+  for (int a = 0; a < Element::nodes; ++a) all.col(a) = position().col(node(element, a));
+  return all;
+}
+
+template <int dim>
+typename Mesh<dim>::Place Mesh<dim>::place_in_grid(const Vec<dim>& x) const {
   Place place{.element = 0, .xi = {}};
+  const Box<dim>& box = shape_.bounds();
   Eigen::Index stride = 1;
   for (int k = 0; k < dim; ++k) {
-    const double cell = (x[k] - box_.min[k]) / side_[k];
-    const double whole = std::clamp(std::floor(cell), 0.0, static_cast<double>(counts_[k] - 1));
+    const double count = std::round((box.max[k] - box.min[k]) / side()[k]);
+    const double cell = (x[k] - box.min[k]) / side()[k];
+    const double whole = std::clamp(std::floor(cell), 0.0, count - 1);
     place.element += stride * static_cast<Eigen::Index>(whole);
     place.xi[k] = 2 * (cell - whole) - 1;
-    stride *= counts_[k];
+    stride *= static_cast<Eigen::Index>(count);
   }
   return place;
 }
 
 template <int dim>
-bool Mesh<dim>::only_in_clamp(const Vec<dim>& x) const {
-  if (outside(x) <= rounding * side_.minCoeff()) return false;
-  return std::any_of(clamps_.begin(), clamps_.end(), [&](const Box<dim>& box) { return box.contains(x); });
+typename Mesh<dim>::Place Mesh<dim>::place(const Vec<dim>& x) const {
+  if (even()) return place_in_grid(x);
+  Place best{.element = -1, .xi = {}};
+  double least = std::numeric_limits<double>::infinity();
+  for (Eigen::Index e = 0; e < elements(); ++e) {
+    const auto X = corners(e);
+    const Vec<dim> low = X.rowwise().minCoeff(), high = X.rowwise().maxCoeff();
+    if (((low - x).array() > side().norm()).any() || ((x - high).array() > side().norm()).any()) continue;
+    Vec<dim> xi;
+    if (!invert<dim>(X, x, xi) || xi.cwiseAbs().maxCoeff() >= least) continue;
+    least = xi.cwiseAbs().maxCoeff();
+    best = {.element = e, .xi = xi};
+  }
+  if (best.element < 0)
+    throw NumericalError(
+        fmt::format("solid: no element near the point ({}), which is to follow it; make "
+                    "solid.fem.element shorter",
+                    fmt::join(x.begin(), x.end(), ", ")));
+  return best;
 }
 
 template <int dim>
-double Mesh<dim>::outside(const Vec<dim>& x) const {
-  return std::max({0.0, (box_.min - x).maxCoeff(), (x - box_.max).maxCoeff()});
+bool Mesh<dim>::only_in_clamp(const Vec<dim>& x) const {
+  if (outside(x) <= margin_) return false;
+  return std::any_of(clamps_.begin(), clamps_.end(),
+                     [&](const Shape<dim>& clamp) { return clamp.outside(x) <= margin_; });
 }
 
 template class Mesh<2>;

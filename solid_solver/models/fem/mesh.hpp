@@ -1,17 +1,14 @@
-// A body's box as a grid of elements.
+// A body's shape as elements.
 #pragma once
 
 #include <vector>
 
-#include "common/lattice.hpp"
-#include "common/participant.hpp"
-#include "solid_solver/models/fem/quadratic_element.hpp"
+#include "solid_solver/models/fem/fitted_grid.hpp"
 #include "solid_solver/supports.hpp"
 
 namespace cosurge::fem {
 
-/// Equal elements of second order fill the body's box. Nodes lie on a grid of half their side, the first axis
-/// fastest; those in or on a clamp are held.
+/// A grid of elements of second order in the body's shape (FittedGrid); nodes in or on a clamp are held.
 template <int dim>
 class Mesh {
  public:
@@ -23,44 +20,44 @@ class Mesh {
     Vec<dim> xi;
   };
 
-  /// @param longest side of an element [m]; 0 for a third of the box's shortest side
-  /// @throws Error for a clamp or support that holds no node, and for more elements than memory holds.
+  /// @param longest side of an element [m]; 0 for a third of the thickness
+  /// @throws Error as FittedGrid does, and for a clamp or support that holds no node.
   Mesh(const v1::Body& body, int index, double longest);
 
-  Eigen::Index nodes() const { return position_.cols(); }
-  Eigen::Index elements() const { return static_cast<Eigen::Index>(corner_.size()); }
-  const Vec<dim>& side() const { return side_; }       ///< of an element [m]
-  const Field& position() const { return position_; }  ///< of the nodes [m]
-  const Box<dim>& box() const { return box_; }         ///< of the body
+  Eigen::Index nodes() const { return grid_.position.cols(); }
+  Eigen::Index elements() const { return static_cast<Eigen::Index>(grid_.node.size()); }
+  bool even() const { return shape_.is_box(); }             ///< all elements are the same box
+  const Vec<dim>& side() const { return grid_.side; }       ///< of an element before it is fitted [m]
+  const Field& position() const { return grid_.position; }  ///< of the nodes [m]
+  const Shape<dim>& shape() const { return shape_; }        ///< of the body
   const Axes<dim>& held(Eigen::Index node) const { return held_[static_cast<std::size_t>(node)]; }
 
   Eigen::Index node(Eigen::Index element, int a) const {
-    return corner_[static_cast<std::size_t>(element)] + offset_[static_cast<std::size_t>(a)];
+    return grid_.node[static_cast<std::size_t>(element)][static_cast<std::size_t>(a)];
   }
 
-  /// The element that holds x, or the one nearest to it.
+  /// The nodes' positions of an element.
+  Eigen::Matrix<double, dim, Element::nodes> corners(Eigen::Index element) const;
+
+  /// The element that holds x, or the one nearest to it: sum N_a(xi) X_a = x.
+  /// @throws NumericalError where there is none.
   Place place(const Vec<dim>& x) const;
 
-  /// Whether x lies in a clamp and not in the body's box.
+  /// Whether x lies in a clamp and not in the body's shape.
   bool only_in_clamp(const Vec<dim>& x) const;
 
-  /// The distance from the box along the axis where it is largest [m]; 0 inside.
-  double outside(const Vec<dim>& x) const;
+  /// The distance from the shape along the axis where it is largest [m]; 0 inside.
+  double outside(const Vec<dim>& x) const { return shape_.outside(x); }
 
  private:
-  using Index = Eigen::Matrix<Eigen::Index, dim, 1>;
-
-  void number_elements();
   void hold(const v1::Body& body, int index);
+  Place place_in_grid(const Vec<dim>& x) const;
 
-  Box<dim> box_;
-  std::vector<Box<dim>> clamps_;  // widened by rounding
-  Index counts_;                  // of elements along each axis
-  Vec<dim> side_;
-  Field position_;
+  Shape<dim> shape_;
+  FittedGrid<dim> grid_;
+  double margin_;  // what rounding may be off [m]
+  std::vector<Shape<dim>> clamps_;
   std::vector<Axes<dim>> held_;
-  std::vector<Eigen::Index> corner_;                      // node 0 of each element
-  std::array<Eigen::Index, Element::nodes> offset_ = {};  // from there to node a
 };
 
 }  // namespace cosurge::fem

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/body_sites.hpp"
 #include "common/error.hpp"
 
 namespace cosurge::fem {
@@ -20,7 +21,8 @@ MeshedBodies<dim>::MeshedBodies(const v1::Solid& solid, double spacing, const Ve
     bodies_.emplace_back(solid.body(b), b, solid.fem().element(), material_, gravity);
     const Mesh<dim>& mesh = bodies_.back().mesh();
     first_.push_back(first_.back() + mesh.nodes());
-    for (const Vec<dim>& x : fill(mesh.box(), spacing))
+    const BodySites<dim> sites(solid.body(b), spacing);
+    for (const Vec<dim>& x : sites.all())
       sites_.push_back({.body = static_cast<std::size_t>(b), .position = x, .place = mesh.place(x)});
   }
 }

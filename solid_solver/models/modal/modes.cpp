@@ -27,7 +27,8 @@ Modes lowest_modes(const fem::FemBody<dim>& body, const Elasticity& material, in
   using Product = Spectra::SparseSymMatProd<double>;
   const auto unknowns = static_cast<int>(body.unknowns());
   require(count < unknowns, "solid.modal.modes = {}: must be < {}, the unknowns of a body", count, unknowns);
-  const double length = (body.mesh().box().max - body.mesh().box().min).maxCoeff();
+  const Box<dim>& bounds = body.mesh().shape().bounds();
+  const double length = (bounds.max - bounds.min).maxCoeff();
   const double wave = std::numbers::pi * material.pressure_speed() / length;
   const double sigma = -shift * wave * wave;
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "common/body_sites.hpp"
+
 namespace cosurge::particles {
 namespace {
 
@@ -33,11 +35,12 @@ bool feels_free_particle(const SiteIndex<dim>& k, const Sites<dim>& sites, const
 
 template <int dim>
 BodyGrid<dim>::BodyGrid(const v1::Body& body, int index, const Stencil<dim>& stencil)
-    : spacing_(stencil.spacing), box_(body.box()), clamps_(body.clamp().begin(), body.clamp().end()) {
+    : spacing_(stencil.spacing), shape_(shape_of(body)), clamps_(body.clamp().begin(), body.clamp().end()) {
   Sites<dim> sites;
-  for (const Vec<dim>& x : fill(box_, spacing_)) sites[index_of(x)] = false;
-  for (const Box<dim>& clamp : clamps_)
-    for (const Vec<dim>& x : fill(clamp, spacing_)) sites[index_of(x)] = true;
+  const BodySites<dim> own(body, spacing_);
+  for (const Vec<dim>& x : own.all()) sites[index_of(x)] = false;
+  for (const Shape<dim>& clamp : clamps_)
+    for (const Vec<dim>& x : clamp.fill(spacing_)) sites[index_of(x)] = true;
   const Supports<dim> supports(body, coincide * spacing_);
   std::vector<SiteIndex<dim>> kept;
   for (const auto& [k, held] : sites) {
@@ -55,8 +58,8 @@ BodyGrid<dim>::BodyGrid(const v1::Body& body, int index, const Stencil<dim>& ste
 
 template <int dim>
 void BodyGrid<dim>::check(int index) const {
-  const double thickness = (box_.max - box_.min).minCoeff() / spacing_;
-  require(thickness > 1.5, "solid.body.{}.box: {:.3g} spacings thick, particles need at least 2", index,
+  const double thickness = (shape_.bounds().max - shape_.bounds().min).minCoeff() / spacing_;
+  require(thickness > 1.5, "solid.body.{}: {:.3g} spacings thick, particles need at least 2", index,
           thickness);
   const auto any_free = [](const Axes<dim>& axes) {
     return std::find(axes.begin(), axes.end(), false) != axes.end();
@@ -124,28 +127,20 @@ std::vector<std::size_t> BodyGrid<dim>::particles_near(const Vec<dim>& x, double
 template <int dim>
 bool BodyGrid<dim>::in_clamp(const Vec<dim>& x) const {
   return std::any_of(clamps_.begin(), clamps_.end(),
-                     [&](const Box<dim>& clamp) { return clamp.contains(x); });
+                     [&](const Shape<dim>& clamp) { return clamp.contains(x); });
 }
 
 template <int dim>
 double BodyGrid<dim>::share_outside_clamps(const Vec<dim>& x, const Vec<dim>& r0) const {
   double share = 1;
-  for (const Box<dim>& clamp : clamps_) {
-    if (!clamp.contains(x + r0)) continue;
-    double enters = 0;
-    for (int k = 0; k < dim; ++k) {
-      if (x[k] < clamp.min[k]) enters = std::max(enters, (clamp.min[k] - x[k]) / r0[k]);
-      if (x[k] > clamp.max[k]) enters = std::max(enters, (clamp.max[k] - x[k]) / r0[k]);
-    }
-    share = std::min(share, enters);
-  }
+  for (const Shape<dim>& clamp : clamps_)
+    if (clamp.contains(x + r0)) share = std::min(share, clamp.share_outside(x, r0));
   return share;
 }
 
 template <int dim>
-bool BodyGrid<dim>::in_box(const Vec<dim>& x) const {
-  const Vec<dim> tolerance = Vec<dim>::Constant(coincide * spacing_);
-  return Box<dim>(box_.min - tolerance, box_.max + tolerance).contains(x);
+bool BodyGrid<dim>::in_shape(const Vec<dim>& x) const {
+  return shape_.outside(x) <= coincide * spacing_;
 }
 
 template class BodyGrid<2>;

@@ -4,14 +4,14 @@
 
 #include <vector>
 
-#include "common/lattice.hpp"
+#include "common/shape.hpp"
 #include "solid_solver/models/particles/stencil.hpp"
 #include "solid_solver/supports.hpp"
 
 namespace cosurge::particles {
 
-/// Particles fill the body's box and are free, but for its supports; in its clamps lie held ones, as far as
-/// free ones feel them. All lie in one padded block of the lattice: slots with no particle are void, and a
+/// Particles lie on the body's sites and are free, but for its supports; in its clamps lie held ones, as far
+/// as free ones feel them. All lie in one padded block of the lattice: slots with no particle are void, and a
 /// neighbour's slot is the particle's own plus a constant, whatever the particle. Particles are numbered in
 /// the order of their slots.
 template <int dim>
@@ -42,8 +42,8 @@ class BodyGrid {
   bool in_clamp(const Vec<dim>& x) const;
   /// Share of the way from x, outside the clamps, to x + r0 in one of them, before it enters that clamp.
   double share_outside_clamps(const Vec<dim>& x, const Vec<dim>& r0) const;
-  /// Whether x lies in the body's box, its faces included.
-  bool in_box(const Vec<dim>& x) const;
+  /// Whether x lies in the body's shape, its faces included.
+  bool in_shape(const Vec<dim>& x) const;
 
   static constexpr Eigen::Index lanes = 8;
 
@@ -53,8 +53,8 @@ class BodyGrid {
   void number_slots(const std::vector<SiteIndex<dim>>& sites, int reach);
 
   double spacing_;
-  Box<dim> box_;
-  std::vector<Box<dim>> clamps_;
+  Shape<dim> shape_;
+  std::vector<Shape<dim>> clamps_;
   std::vector<Vec<dim>> positions_;
   std::vector<char> held_;
   std::vector<Axes<dim>> held_axes_;

@@ -35,7 +35,7 @@ typename ParticleModel<dim>::Row ParticleModel<dim>::interpolation_row(const Bod
                                                                        const Vec<dim>& x) const {
   const long same = grid.particle_at(x);
   if (same >= 0) return {{static_cast<std::size_t>(same), 1.0}};
-  if (grid.in_clamp(x) && !grid.in_box(x)) return {};
+  if (grid.in_clamp(x) && !grid.in_shape(x)) return {};
   const double radius = interpolation_radius * spacing_;
   const std::vector<std::size_t> near = grid.particles_near(x, radius);
   std::vector<Vec<dim>> positions;

@@ -1,16 +1,18 @@
 #include "solid_solver/models/rigid/rigid_model.hpp"
 
+#include "common/body_sites.hpp"
 #include "common/error.hpp"
-#include "common/lattice.hpp"
 #include "common/state_bytes.hpp"
 
 namespace cosurge {
 
 template <int dim>
 RigidModel<dim>::RigidModel(const v1::Solid& solid, double spacing) : bodies_(solid.body_size()) {
-  for (const v1::Body& body : solid.body())
-    for (const Vec<dim>& x : fill(Box<dim>(body.box()), spacing))
+  for (const v1::Body& body : solid.body()) {
+    const BodySites<dim> sites(body, spacing);
+    for (const Vec<dim>& x : sites.all())
       for (int k = 0; k < dim; ++k) positions_.push_back(static_cast<float>(x[k]));
+  }
 }
 
 template <int dim>

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/error.hpp"
+#include "solid_solver/shape_moments.hpp"
 
 namespace cosurge::sprung {
 namespace {
@@ -12,8 +13,8 @@ constexpr double resolved = 0.05;  // rad of the rotation's oscillation a sub-st
 constexpr int most_substeps = 1000;
 
 template <int dim>
-Vec<dim> pivot_of(const v1::SolidSprung& parameters, const Box<dim>& box) {
-  if (parameters.pivot_size() == 0) return 0.5 * (box.min + box.max);
+Vec<dim> pivot_of(const v1::SolidSprung& parameters, const ShapeMoments<dim>& moments) {
+  if (parameters.pivot_size() == 0) return moments.centre;
   require(parameters.pivot_size() == dim, "solid.sprung.pivot: has {} components, must have {}",
           parameters.pivot_size(), dim);
   return Eigen::Map<const Vec<dim>>(parameters.pivot().data());
@@ -24,20 +25,21 @@ Vec<dim> pivot_of(const v1::SolidSprung& parameters, const Box<dim>& box) {
 template <int dim>
 SprungBody<dim>::SprungBody(const v1::Body& body, int index, const v1::SolidSprung& parameters,
                             double density, const Vec<dim>& gravity)
-    : box_(body.box()), pivot_(pivot_of(parameters, box_)), gravity_(gravity) {
-  const Vec<dim> sides = box_.max - box_.min;
-  arm_to_centre_ = 0.5 * (box_.min + box_.max) - pivot_;
-  length_ = sides.maxCoeff();
-  mass_ = parameters.has_mass() ? parameters.mass() : density * sides.prod();
-  const double inertia = mass_ * (sides.squaredNorm() / 12 + arm_to_centre_.squaredNorm());
+    : shape_(shape_of(body)), gravity_(gravity) {
+  const ShapeMoments<dim> moments(shape_);
+  pivot_ = pivot_of(parameters, moments);
+  arm_to_centre_ = moments.centre - pivot_;
+  length_ = (shape_.bounds().max - shape_.bounds().min).maxCoeff();
+  mass_ = parameters.has_mass() ? parameters.mass() : density * moments.volume;
+  const double inertia = mass_ * (moments.second.trace() / moments.volume + arm_to_centre_.squaredNorm());
   require(parameters.spring_size() > 0, "solid.sprung.spring: missing; choose solid.model = \"rigid\"");
   for (const v1::Spring& spring : parameters.spring()) free_motion(spring, inertia, index);
   const bool moves =
       std::any_of(translations_.begin(), translations_.end(), [](const auto& t) { return t.free; });
-  require(
-      !turning_ || !moves || arm_to_centre_.isZero(1e-9 * length_),
-      "solid.sprung.pivot: solid.body.{} must turn about its middle where it is free to move along x or y",
-      index);
+  require(!turning_ || !moves || arm_to_centre_.isZero(1e-9 * length_),
+          "solid.sprung.pivot: solid.body.{} must turn about its centre of mass where it is free to move "
+          "along x or y",
+          index);
 }
 
 template <int dim>
@@ -192,9 +194,13 @@ template <int dim>
 double SprungBody<dim>::max_speed() const {
   const Field v = velocity();
   double fastest = 0;
+  for (const auto& facet : shape_.facets())
+    for (const Vec<dim>& x : facet) fastest = std::max(fastest, (v * coefficients(x)).norm());
+  if (!shape_.is_box()) return fastest;
+  const Box<dim>& box = shape_.bounds();
   for (int corner = 0; corner < 1 << dim; ++corner) {
     Vec<dim> x;
-    for (int k = 0; k < dim; ++k) x[k] = (corner >> k & 1) != 0 ? box_.max[k] : box_.min[k];
+    for (int k = 0; k < dim; ++k) x[k] = (corner >> k & 1) != 0 ? box.max[k] : box.min[k];
     fastest = std::max(fastest, (v * coefficients(x)).norm());
   }
   return fastest;

@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "common/lattice.hpp"
+#include "common/shape.hpp"
 #include "common/state_bytes.hpp"
 #include "solid_solver/models/sprung/turning.hpp"
 #include "solid_solver/oscillator.hpp"
@@ -58,7 +58,7 @@ class SprungBody {
   int turn(double window, const Nodal& first, const Nodal& last);
   Couple couple(const Nodal& load) const;
 
-  Box<dim> box_;
+  Shape<dim> shape_;
   Vec<dim> pivot_, arm_to_centre_, gravity_;
   double length_;  // of the nodes' arms [m]
   double mass_;

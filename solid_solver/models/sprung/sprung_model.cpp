@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/body_sites.hpp"
 #include "common/error.hpp"
 
 namespace cosurge::sprung {
@@ -11,7 +12,8 @@ template <int dim>
 SprungModel<dim>::SprungModel(const v1::Solid& solid, double spacing, const Vec<dim>& gravity) {
   for (int b = 0; b < solid.body_size(); ++b) {
     bodies_.emplace_back(solid.body(b), b, solid.sprung(), solid.density(), gravity);
-    for (const Vec<dim>& x : fill(Box<dim>(solid.body(b).box()), spacing))
+    const BodySites<dim> sites(solid.body(b), spacing);
+    for (const Vec<dim>& x : sites.all())
       sites_.push_back({.body = static_cast<std::size_t>(b),
                         .position = x,
                         .coefficients = bodies_.back().coefficients(x)});

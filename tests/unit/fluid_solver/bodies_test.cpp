@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include "tests/support/outlines.hpp"
 #include "tests/support/water.hpp"
 
 namespace cosurge::fluid {
@@ -44,6 +45,20 @@ void expect_nanson(const Bodies<dim>& bodies, const Mat<dim>& F) {
 TEST(BodySurface, AreasOfAFreeBodyAddUpToNothingSoUniformPressureGivesNoForce) {
   EXPECT_LT(free_plate().interface().area.rowwise().sum().norm(), rounding * l0);
   EXPECT_LT(free_brick().interface().area.rowwise().sum().norm(), rounding * l0);
+}
+
+TEST(BodySurface, AreasOfAnOutlineAddUpToNothingAndFaceWhatTheyProject) {
+  v1::Solid disk, corner;
+  *disk.add_body()->mutable_shape() = cosurge::test::disk({0.212, 0.207}, 0.1);
+  *corner.add_body()->mutable_shape() = cosurge::test::tetrahedron(0.2, {0.1, 0.11, 0.12});
+  const Bodies<2> flat(disk, tank2, l0);
+  const Bodies<3> solid(corner, tank3, l0);
+  EXPECT_LT(flat.interface().area.rowwise().sum().norm(), rounding * l0);
+  EXPECT_LT(solid.interface().area.rowwise().sum().norm(), rounding * l0);
+  // What faces one way along an axis is the shadow along it: the diameter, the leg's triangle; a site more or
+  // less.
+  EXPECT_NEAR(flat.interface().area.row(0).cwiseMax(0).sum(), 0.2, 2.001 * l0);
+  EXPECT_NEAR(solid.interface().area.row(2).cwiseMax(0).sum(), 0.02, 0.2 * 2 * l0);
 }
 
 TEST(BodySurface, EveryFaceIsCountedOnce) {

@@ -8,6 +8,7 @@
 #include "common/error.hpp"
 #include "common/state_bytes.hpp"
 #include "common/threads.hpp"
+#include "tests/support/outlines.hpp"
 #include "tests/support/water.hpp"
 
 namespace cosurge::fluid {
@@ -269,6 +270,23 @@ TEST(MpsStep, ThePropagationSpeedComesFromTheHeightOfTheWater) {
   const double speed = 0.6 * std::sqrt(g * 0.2);
   EXPECT_LT(distance(speed), 1e-6);  // Pa, rounding: of some 1e3
   EXPECT_GT(distance(1.05 * speed), 1e-2);
+}
+
+TEST(MpsState, WaterGivesWayToABodyWithAnOutline) {
+  v1::Solid solid;
+  *solid.add_body()->mutable_shape() = cosurge::test::turned_box({0.1, 0}, {0.14, 0.1}, 0.3);
+  const v1::Fluid fluid = tank_of_water(l0, box_of({0, 0}, {0.3, 0.3}), {box_of({0, 0}, {0.2, 0.2})});
+  const Mps<2> mps(fluid, &solid, down);
+  int sites = 0;
+  for (int i = 0; i < mps.particles().size(); ++i) {
+    const Vec<2>& x = mps.particles().x[i];
+    const Kind kind = mps.particles().kind[i];
+    const bool inside = x.minCoeff() > 0 && x.maxCoeff() < 0.2;
+    sites +=
+        inside && (kind == Kind::fluid || kind == Kind::body_surface || kind == Kind::body_inner) ? 1 : 0;
+  }
+  EXPECT_EQ(sites, 400);  // each is either water's or the body's
+  EXPECT_GT(mps.bodies().points(), 30);
 }
 
 /// Pressure in the middle of the floor, over rho g h, after one step of water that was at rest.

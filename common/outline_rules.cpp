@@ -1,0 +1,130 @@
+#include "common/outline_rules.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "common/body_sites.hpp"
+#include "common/error.hpp"
+
+namespace cosurge {
+namespace {
+
+using Facet2 = Shape<2>::Facet;
+
+/// Twice the area of the triangle a b c, negative where it goes around clockwise.
+double twice_area(const Vec<2>& a, const Vec<2>& b, const Vec<2>& c) {
+  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+bool cross(const Facet2& s, const Facet2& t) {
+  const auto parted = [](const Facet2& line, const Facet2& ends) {
+    return twice_area(line[0], line[1], ends[0]) * twice_area(line[0], line[1], ends[1]) < 0;
+  };
+  return parted(s, t) && parted(t, s);
+}
+
+std::string crossing_sides(const std::vector<Facet2>& sides) {
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (cross(sides[i], sides[j]))
+        return fmt::format("the polygon crosses itself: the sides from corners {} and {} (counted from 0)", j,
+                           i);
+  return "";
+}
+
+std::string open_edge(const std::vector<Shape<3>::Facet>& triangles) {
+  using Corner = std::array<double, 3>;
+  std::map<std::pair<Corner, Corner>, int> edges;  // 1: once more in the one sense than in the other
+  for (const auto& triangle : triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto corner = [&](std::size_t c) {
+        return Corner{triangle[c][0], triangle[c][1], triangle[c][2]};
+      };
+      const Corner from = corner(k), to = corner((k + 1) % 3);
+      if (from < to) ++edges[{from, to}];
+      if (to < from) --edges[{to, from}];
+    }
+  }
+  for (const auto& [edge, balance] : edges)
+    if (balance != 0)
+      return fmt::format(
+          "the triangles leave a hole, or are ordered differently around, at the edge from ({}) "
+          "to ({})",
+          fmt::join(edge.first, ", "), fmt::join(edge.second, ", "));
+  return "";
+}
+
+bool has_outline(const v1::Body& body) { return body.shape().vertex_size() > 0; }
+
+template <int dim>
+void check_sites(const v1::Solid& solid, double spacing, CaseErrors& errors) {
+  std::vector<BodySites<dim>> sites;
+  for (const v1::Body& body : solid.body()) sites.emplace_back(body, spacing);
+  for (int i = 0; i < solid.body_size(); ++i) {
+    if (!has_outline(solid.body(i))) continue;
+    const auto& own = sites[static_cast<std::size_t>(i)];
+    const auto add = [&](const std::string& what) { errors.add(body_key(solid, i), what); };
+    if (own.all().empty())
+      add(fmt::format("encloses no particles with a spacing of {} m", spacing));
+    else if (const int parts = own.parts(); parts > 1)
+      add(fmt::format("falls into {} parts with a spacing of {} m", parts, spacing));
+    for (int j = 0; j < solid.body_size(); ++j) {
+      if (j == i || (j > i && has_outline(solid.body(j)))) continue;  // seen from the other side
+      const auto& other = sites[static_cast<std::size_t>(j)];
+      if (std::any_of(own.all().begin(), own.all().end(),
+                      [&](const Vec<dim>& x) { return other.contains(x); }))
+        add(fmt::format("overlaps {}", body_key(solid, j)));
+    }
+  }
+}
+
+/// Sites of the lattice around a body.
+template <int dim>
+double sites_around(const v1::Body& body, double spacing) {
+  const Box<dim> bounds = Shape<dim>(shape_of(body)).bounds();
+  return ((bounds.max - bounds.min) / spacing + Vec<dim>::Constant(2)).prod();
+}
+
+}  // namespace
+
+std::string body_key(const v1::Solid& solid, int body) {
+  return fmt::format("solid.body.{}.{}", body, solid.body(body).has_shape() ? "shape" : "box");
+}
+
+std::string too_few_corners(const v1::Shape& outline, int dimension) {
+  const int fewest = dimension == 2 ? 3 : 12;  // of a triangle, of a tetrahedron's triangles
+  const int corners = outline.vertex_size() / dimension;
+  return corners < fewest ? fmt::format("the outline has {} corners, needs at least {}", corners, fewest)
+                          : "";
+}
+
+std::string not_closed(const v1::Shape& outline, int dimension) {
+  return dimension == 2 ? crossing_sides(Shape<2>(outline).facets()) : open_edge(Shape<3>(outline).facets());
+}
+
+void check_outlined_bodies(const v1::Case& c, CaseErrors& errors) {
+  const v1::Solid& solid = c.solid();
+  if (std::none_of(solid.body().begin(), solid.body().end(), has_outline)) return;
+  std::set<double> spacings;
+  if (c.has_fluid()) spacings.insert(c.fluid().spacing());
+  if (solid.has_spacing()) spacings.insert(solid.spacing());
+  constexpr double most = 1e8;  // no memory holds more
+  for (const double spacing : spacings) {
+    for (int i = 0; i < solid.body_size(); ++i) {
+      const double sites = c.dimension() == 2 ? sites_around<2>(solid.body(i), spacing)
+                                              : sites_around<3>(solid.body(i), spacing);
+      if (!(sites < most))
+        return errors.add(body_key(solid, i),
+                          fmt::format("has {:.3g} sites around it with a spacing of {} m, must be < {:.0e}",
+                                      sites, spacing, most));
+    }
+    if (c.dimension() == 2)
+      check_sites<2>(solid, spacing, errors);
+    else
+      check_sites<3>(solid, spacing, errors);
+  }
+}
+
+}  // namespace cosurge

@@ -1,0 +1,21 @@
+// Rules for outlines, and for the bodies that have one.
+#pragma once
+
+#include "common/case_rules.hpp"
+
+namespace cosurge {
+
+/// Where a body's shape stands: "solid.body.0.box", "solid.body.0.shape".
+std::string body_key(const v1::Solid& solid, int body);
+
+/// Whether an outline has so few corners that it encloses nothing: what to say of it, else nothing.
+std::string too_few_corners(const v1::Shape& outline, int dimension);
+
+/// Whether a polygon crosses itself, or triangles leave a hole or are not all ordered the same way around:
+/// what to say of it, else nothing.
+std::string not_closed(const v1::Shape& outline, int dimension);
+
+/// Bodies with an outline have sites, in one piece, and none that another body has.
+void check_outlined_bodies(const v1::Case& the_case, CaseErrors& errors);
+
+}  // namespace cosurge

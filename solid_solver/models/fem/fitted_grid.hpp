@@ -1,0 +1,30 @@
+// A grid of elements in a shape.
+#pragma once
+
+#include <vector>
+
+#include "common/participant.hpp"
+#include "common/shape.hpp"
+#include "solid_solver/models/fem/quadratic_element.hpp"
+
+namespace cosurge::fem {
+
+/// Elements of second order. A box is divided evenly. Another shape gets the cells, along its principal axes,
+/// whose middles it contains; their outer nodes go to the outline and share it evenly, one of them to each of
+/// its corners, and the others follow (docs/method_solid.md, section 5).
+template <int dim>
+struct FittedGrid {
+  using Element = QuadraticElement<dim>;
+
+  Vec<dim> side;                                               ///< of a cell [m]
+  Field position;                                              ///< of the nodes [m]
+  std::vector<std::array<Eigen::Index, Element::nodes>> node;  ///< of each element; they ascend
+
+  /// @param longest side of an element [m]; 0 for a third of a box's thickness, or of 2 volume / surface
+  /// @param body its number, for messages
+  /// @throws Error where elements are too many, fall apart, would be turned inside out, or miss 2 % of the
+  /// volume: on sharp edges in space, which the grid does not follow, unless they are short.
+  FittedGrid(const Shape<dim>& shape, double longest, int body);
+};
+
+}  // namespace cosurge::fem

@@ -1,0 +1,143 @@
+// Rules for bodies whose shape is an outline.
+#include "common/outline_rules.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/case_text.hpp"
+#include "tests/support/outlines.hpp"
+
+namespace cosurge {
+namespace {
+
+using testing::CaseText;
+using ::testing::EndsWith;
+using testing::errors_of;
+using ::testing::HasSubstr;
+
+/// The good case with a body from a file of these lines.
+struct OutlinedBody {
+  explicit OutlinedBody(const std::string& lines, const std::string& file = "shape.csv")
+      : text("box   = { min = [0.1, 0.0], max = [0.14, 0.1] }", "shape = { outline = \"" + file + "\" }") {
+    std::ofstream(std::filesystem::path(text.file()).parent_path() / file) << lines;
+  }
+  std::string errors(const std::vector<std::string>& overrides = {}) const {
+    return errors_of(text.file(), overrides);
+  }
+  CaseText text;
+};
+
+const std::string plate = "0.1, 0\n0.14, 0\n0.14, 0.1\n0.1, 0.1\n";
+
+TEST(OutlinedBodies, AreReadWithWhatOnesTheyClampTo) {
+  const OutlinedBody body(plate);
+  const v1::Case c = load_case(body.text.file());
+  EXPECT_FALSE(c.solid().body(0).has_box());
+  EXPECT_EQ(c.solid().body(0).shape().vertex_size(), 8);
+  // Clamps are shapes, too.
+  const OutlinedBody clamped(plate);
+  std::ofstream(std::filesystem::path(clamped.text.file()).parent_path() / "foot.csv")
+      << "0.1, -0.02\n0.14, -0.02\n0.14, 0\n0.1, 0\n";
+  EXPECT_EQ(clamped.errors({"solid.body.0.clamp=[{ outline = \"foot.csv\" }]"}), "");
+}
+
+TEST(OutlinedBodies, NeedEitherABoxOrAShape) {
+  const CaseText both("clamp = [{", "shape = { outline = \"shape.csv\" }\nclamp = [{");
+  std::ofstream(std::filesystem::path(both.file()).parent_path() / "shape.csv") << plate;
+  EXPECT_THAT(errors_of(both.file()), HasSubstr("solid.body.0: must have either box or shape"));
+  const CaseText none("box   = { min = [0.1, 0.0], max = [0.14, 0.1] }\n", "");
+  EXPECT_THAT(errors_of(none.file()), HasSubstr("solid.body.0: must have either box or shape"));
+}
+
+TEST(OutlinedBodies, StandWhereTheirOutlineIsNamed) {
+  const OutlinedBody body("0.1, 0\n0.14, 0\n");
+  EXPECT_EQ(body.errors(),
+            fmt::format("{}:{}: solid.body.0.shape: the outline has 2 corners, needs at least 3",
+                        body.text.file(), testing::line_of(body.text, "shape =")));
+}
+
+TEST(OutlinedBodies, OfTheWrongDimensionAreRefused) {
+  EXPECT_THAT(OutlinedBody("solid\n", "shape.stl").errors(),
+              HasSubstr("a scene of two dimensions takes a polygon, x, y a line"));
+  const testing::ScratchFolder folder;
+  std::ofstream(folder.path() / "shape.csv") << plate;
+  std::ofstream(folder.path() / "case.toml") << R"(title = "Polygon in space"
+dimension = 3
+gravity = [0, 0, 0]
+time = { end = 0.1, window = 1e-3 }
+solid = { spacing = 0.01, density = 1, young_modulus = 1, body = [{ shape = { outline = "shape.csv" } }] }
+)";
+  EXPECT_THAT(errors_of(folder.path().string()), HasSubstr("a scene of three dimensions takes an STL"));
+}
+
+TEST(OutlinedBodies, MustEncloseParticlesInOnePieceInsideTheTank) {
+  EXPECT_THAT(OutlinedBody("0.1, 0\n0.14, 0\n0.12, 0.008\n").errors(),
+              HasSubstr("solid.body.0.shape: is 0.8 spacings thick, must be at least 3"));
+  EXPECT_THAT(OutlinedBody("0.1, 0\n0.101, 0\n0.14, 0.1\n0.139, 0.1\n").errors(),
+              HasSubstr("solid.body.0.shape: encloses no particles with a spacing of 0.01 m"));
+  EXPECT_THAT(OutlinedBody("0.1, 0\n0.14, 0\n0.121, 0.05\n0.14, 0.1\n0.1, 0.1\n0.119, 0.05\n").errors(),
+              HasSubstr("solid.body.0.shape: falls into 2 parts with a spacing of 0.01 m"));
+  EXPECT_THAT(OutlinedBody("0.1, 0\n0.14, 0\n0.14, 0.1\n0.1, 0.31\n").errors(),
+              HasSubstr("solid.body.0.shape: must lie inside fluid.tank"));
+}
+
+TEST(OutlinedBodies, MustNotOverlapEachOther) {
+  const OutlinedBody body(plate);
+  const auto beside = [&](const char* min, const char* max) {
+    return body.errors({fmt::format("solid.body=[{{ shape = {{ outline = \"shape.csv\" }} }}, "
+                                    "{{ box = {{ min = {}, max = {} }} }}]",
+                                    min, max),
+                        "fluid.water=[{ min = [0.0, 0.0], max = [0.1, 0.2] }]"});
+  };
+  EXPECT_EQ(beside("[0.14, 0.0]", "[0.2, 0.1]"), "");
+  EXPECT_THAT(beside("[0.13, 0.0]", "[0.2, 0.1]"), EndsWith("solid.body.0.shape: overlaps solid.body.1.box"));
+}
+
+TEST(OutlinedBodies, WaterGivesWayToThem) {
+  // A box would be refused there.
+  EXPECT_EQ(OutlinedBody(plate).errors({"fluid.water=[{ min = [0.0, 0.0], max = [0.2, 0.2] }]"}), "");
+}
+
+TEST(OutlinedBodies, MustNotCrossThemselves) {
+  EXPECT_THAT(OutlinedBody("0.1, 0\n0.14, 0.1\n0.14, 0\n0.1, 0.1\n").errors(),
+              HasSubstr("the polygon crosses itself: the sides from corners 0 and 2"));
+}
+
+TEST(OutlinedBodies, ProbesLieInOrOnThem) {
+  const OutlinedBody body("0.1, 0\n0.14, 0\n0.1, 0.1\n");
+  EXPECT_EQ(body.errors({"output.probe.0.position=[0.12, 0.05]"}), "");
+  EXPECT_THAT(body.errors({"output.probe.0.position=[0.121, 0.05]"}),
+              HasSubstr("output.probe.0.position: must lie in or on a body"));
+}
+
+TEST(OutlinedBodies, OfAnySpacingAreAnswered) {
+  const testing::ScratchFolder folder;
+  std::ofstream(folder.path() / "shape.csv") << plate;
+  std::ofstream(folder.path() / "case.toml") << R"(title = "Plate"
+gravity = [0, 0]
+time = { end = 0.1, window = 1e-3 }
+solid = { spacing = 0.01, density = 1, young_modulus = 1, body = [{ shape = { outline = "shape.csv" } }] }
+)";
+  EXPECT_EQ(errors_of(folder.path().string()), "");
+  for (const char* spacing : {"1e-300", "1e-9", "7", "1e300"})
+    EXPECT_THAT(errors_of(folder.path().string(), {fmt::format("solid.spacing={}", spacing)}),
+                HasSubstr("solid."))
+        << spacing;
+}
+
+TEST(NotClosed, KnowsTrianglesWithAHoleOrTheWrongWayAround) {
+  v1::Shape shape = test::tetrahedron(1, {0, 0, 0});
+  EXPECT_EQ(not_closed(shape, 3), "");
+  EXPECT_EQ(not_closed(test::prism(1, 1, 1), 3), "");
+  v1::Shape turned = shape;
+  for (int axis = 0; axis < 3; ++axis) {
+    turned.set_vertex(3 + axis, shape.vertex(6 + axis));
+    turned.set_vertex(6 + axis, shape.vertex(3 + axis));
+  }
+  EXPECT_THAT(not_closed(turned, 3), HasSubstr("ordered differently around, at the edge from (0, 0, 0)"));
+  shape.mutable_vertex()->Truncate(27);
+  EXPECT_THAT(not_closed(shape, 3), HasSubstr("leave a hole"));
+}
+
+}  // namespace
+}  // namespace cosurge
