@@ -90,7 +90,7 @@ void FemBody<dim>::integrate_mass(const Vec<dim>& gravity) {
 template <int dim>
 void FemBody<dim>::scatter(const Stiffness& part, Eigen::Index element, Matrix& whole) const {
   const Eigen::Index* slot = slot_.data() + element * components * components;
-  for (Eigen::Index k = 0; k < components * components; ++k)
+  for (Eigen::Index k = 0; k < part.size(); ++k)
     if (slot[k] >= 0) whole.valuePtr()[slot[k]] += part.data()[k];
 }
 
