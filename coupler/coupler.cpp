@@ -25,24 +25,64 @@ Coupler::Coupler(const v1::Case& the_case, Participants participants)
   }
 }
 
-bool Coupler::run(const std::vector<Observer*>& observers, const std::function<bool()>& stop) {
+bool Coupler::run(const Observers& observers, const std::function<bool()>& stop) {
   if (schedule_.windows() == 0) show_frame(observers);
+  settle(observers);
   while (!schedule_.finished()) {
-    if (stop()) return false;
-    const Window window = schedule_.next(largest_);
-    const Reports reports = scheme_->advance(window, surface_, account_);
-    largest_ = case_.time().window();
-    for (const Report& report : reports) largest_ = std::min(largest_, report.window);
-    schedule_.complete(window);
-    if (!scheme_->effort().converged) ++unconverged_;
-    if (!scheme_->effort().note.empty()) notes_.push_back(scheme_->effort().note);
-    const std::vector<double> own = values();
-    for (Observer* observer : observers) observer->window(window, reports, own);
+    if (stop()) {
+      if (waiting_.empty()) return false;
+      StateReader scheme(settled_scheme_);
+      scheme_->restore(scheme);
+      go_back();
+      return false;
+    }
+    try {
+      pass(schedule_.next(largest_));
+    } catch (...) {
+      tell(observers);
+      throw;
+    }
+    const Effort& effort = scheme_->effort();
+    if (effort.again) go_back();
+    if (!effort.note.empty()) notes_.push_back(fmt::format("t = {:.6g} s: {}", time(), effort.note));
+    if (effort.again) continue;
+    if (effort.settled || schedule_.at_frame() || schedule_.finished()) settle(observers);
     if (schedule_.at_frame()) show_frame(observers);
   }
   for (Participant* participant : {participants_.fluid, participants_.solid})
     if (participant != nullptr) participant->finalize();
   return true;
+}
+
+void Coupler::pass(const Window& window) {
+  Reports reports = scheme_->advance(window, surface_, account_);
+  largest_ = case_.time().window();
+  for (const Report& report : reports) largest_ = std::min(largest_, report.window);
+  schedule_.complete(window);
+  if (!scheme_->effort().converged) ++unconverged_;
+  waiting_.push_back({.window = window, .reports = std::move(reports), .values = values()});
+}
+
+/// The windows that wait stand: nothing goes back before here.
+void Coupler::settle(const Observers& observers) {
+  tell(observers);
+  settled_.clear();
+  if (!scheme_->may_go_back()) return;
+  settled_ = save_all_but_scheme();
+  StateWriter scheme;
+  scheme_->save(scheme);
+  settled_scheme_ = scheme.take();
+}
+
+void Coupler::go_back() {
+  waiting_.clear();
+  restore_all_but_scheme(settled_);
+}
+
+void Coupler::tell(const Observers& observers) {
+  for (const Row& row : waiting_)
+    for (Observer* observer : observers) observer->window(row.window, row.reports, row.values);
+  waiting_.clear();
 }
 
 std::vector<Column> Coupler::columns() const {
@@ -69,9 +109,24 @@ void Coupler::show_frame(const std::vector<Observer*>& observers) {
 
 std::string Coupler::save() const {
   StateWriter state;
+  state.put(save_all_but_scheme());
+  scheme_->save(state);
+  return state.take();
+}
+
+void Coupler::restore(const std::string& bytes) {
+  StateReader state(bytes);
+  std::string all_but_scheme;
+  state.get(all_but_scheme);
+  restore_all_but_scheme(all_but_scheme);
+  scheme_->restore(state);
+  state.finish();
+}
+
+std::string Coupler::save_all_but_scheme() const {
+  StateWriter state;
   schedule_.save(state);
   account_.save(state);
-  scheme_->save(state);
   state.put(unconverged_);
   state.put(largest_);
   for (const Field* field :
@@ -83,16 +138,16 @@ std::string Coupler::save() const {
   return state.take();
 }
 
-void Coupler::restore(const std::string& bytes) {
+void Coupler::restore_all_but_scheme(const std::string& bytes) {
   StateReader state(bytes);
   schedule_.restore(state);
   account_.restore(state);
-  scheme_->restore(state);
   state.get(unconverged_);
   state.get(largest_);
   for (Field* field : {&surface_.displacement, &surface_.velocity, &surface_.ramp_increment, &surface_.force})
     state.get(*field);
   state.get(surface_.pressure);
+  surface_.modes.clear();
   for (Participant* participant : {participants_.fluid, participants_.solid}) {
     if (participant == nullptr) continue;
     std::string saved;

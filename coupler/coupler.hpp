@@ -20,7 +20,7 @@ struct Member {
 class Observer {
  public:
   virtual ~Observer() = default;
-  /// After every window: reports in the order of the members, then the coupler's own values by
+  /// After every window that stands: reports in the order of the members, then the coupler's own values by
   /// Coupler::columns().
   virtual void window(const Window& window, const Reports& reports, const std::vector<double>& coupling) = 0;
   /// At every landing, and at the start.
@@ -34,7 +34,8 @@ class Coupler {
   Coupler(const v1::Case& the_case, Participants participants);
 
   /// All windows from the state it is in until the end, or until `stop` says true. Returns whether the end
-  /// was reached.
+  /// was reached. A scheme may have windows gone through again, back to the last settled one or to the last
+  /// frame; a run that is stopped goes back there.
   /// @throws what the participants throw; observers have seen all windows before.
   bool run(const std::vector<Observer*>& observers, const std::function<bool()>& stop);
 
@@ -53,8 +54,22 @@ class Coupler {
   std::uint64_t windows() const { return schedule_.windows(); }
 
  private:
+  /// A window that observers have not seen yet.
+  struct Row {
+    Window window;
+    Reports reports;
+    std::vector<double> values;
+  };
+  using Observers = std::vector<Observer*>;
+
+  void pass(const Window& window);
+  void settle(const Observers& observers);
+  void go_back();
+  void tell(const Observers& observers);
   std::vector<double> values() const;
-  void show_frame(const std::vector<Observer*>& observers);
+  void show_frame(const Observers& observers);
+  std::string save_all_but_scheme() const;
+  void restore_all_but_scheme(const std::string& state);
 
   v1::Case case_;
   Participants participants_;
@@ -67,6 +82,9 @@ class Coupler {
   std::uint64_t unconverged_ = 0;
   std::vector<std::string> notes_;  // since this coupler was made
   double largest_ = 0;              // next window that all participants can do [s]
+  std::vector<Row> waiting_;        // windows that are not settled
+  std::string settled_;             // the state where they began, without the scheme's; empty: none may wait
+  std::string settled_scheme_;
 };
 
 }  // namespace cosurge

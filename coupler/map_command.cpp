@@ -24,9 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double growing = 3;  // times the alternation of the second quarter: noise alone makes 0.5 to 2
-constexpr double created =
-    0.05;  // of the work that passes: stable runs have less than 0.01, bounded ones 0.1 to 2
 constexpr const char* columns =
     "state,end,windows,iterations,unconverged,ratio,alternation,created,frequency,amplitude,peak,peak_time,"
     "seconds,reason";
@@ -110,9 +107,7 @@ std::string run_cell(const MapOptions& options, const std::vector<std::string>& 
   } catch (const std::exception& error) {
     reason = error.what();
   }
-  const char* state = !reason.empty()                                                      ? "blown_up"
-                      : !(swing.alternation() <= growing) || !(swing.created() <= created) ? "growing"
-                                                                                           : "stable";
+  const char* state = reason.empty() ? swing.judgement() : "blown_up";
   return fmt::format("{},{:.6g},{},{:.3f},{},{:.4g},{:.4g},{:.4g},{:.6g},{:.6g},{:.6g},{:.6g},{:.2f},{}",
                      state, swing.end(), swing.windows(), swing.iterations(), coupler->unconverged(),
                      swing.largest_ratio(), swing.alternation(), swing.created(), swing.frequency(),

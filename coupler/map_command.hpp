@@ -18,10 +18,8 @@ struct MapOptions {
 
 /// Runs every cell of the grid, each in a process of its own with one thread, without results of its own, and
 /// writes a row of the table for each: the values of the keys, then
-///   state          stable; growing: the load's alternation from window to window grows, or the scheme
-///   creates
-///                  more than a twentieth of the work that passes, but the run ends;
-///                  blown_up: it does not end; refused: no such case
+///   state          stable, growing or draining: Swing::judgement(); blown_up: it does not reach its end;
+///                  refused: no such case
 ///   end            reached [s]
 ///   windows, iterations (a window), unconverged (windows)
 ///   ratio          largest estimate of the added-mass ratio

@@ -177,7 +177,7 @@ int run_with(Solvers& solvers, const v1::Case& the_case, const fs::path& folder,
              outcome.reason.empty() ? "" : ": ", outcome.reason);
   for (const std::string& note : coupler.notes()) fmt::print("{}\n", note);
   if (coupler.unconverged() > 0)
-    fmt::print("{} of {} windows did not converge in {} iterations: their last one counts\n",
+    fmt::print("{} of {} windows did not converge in {} iterations: the nearest one counts\n",
                coupler.unconverged(), coupler.windows(), the_case.coupling().iteration().limit());
   if (exit_status != 0) fmt::print("to go on: cosurge resume {}\n", folder.string());
   return exit_status;

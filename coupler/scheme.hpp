@@ -22,7 +22,9 @@ struct Effort {
   int iterations = 1;     ///< times that the fluid went through it
   double residual = 0;    ///< by how much the velocity that the water saw was wrong, relative
   std::string note;       ///< what the scheme has decided after the window, and why; mostly nothing
-  bool converged = true;  ///< false: a scheme that iterates has given up; the last iteration counts
+  bool converged = true;  ///< false: a scheme that iterates has given up; the nearest iteration counts
+  bool settled = true;    ///< false: it may turn out later that the window has to be gone through again
+  bool again = false;     ///< all windows since the last settled one have to be, by what is decided now
 };
 
 /// The effort of one exchange, in which the water saw the velocity `seen` and the structure answered
@@ -41,6 +43,7 @@ class Scheme {
   virtual Reports advance(const Window& window, Surface& surface, InterfaceAccount& account) = 0;
 
   virtual const Effort& effort() const = 0;
+  virtual bool may_go_back() const { return false; }  ///< whether there may be windows that are not settled
   virtual const AddedMassRatio& ratio() const = 0;
 
   /// What the scheme remembers from window to window: a scheme that is restored goes on bit for bit.

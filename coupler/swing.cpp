@@ -7,6 +7,10 @@
 namespace cosurge {
 namespace {
 
+constexpr double growing = 3;    // times the alternation of the second quarter: noise alone makes 0.5 to 2
+constexpr double much = 0.05;    // of the work: stable runs have less than 0.01, bounded ones 0.1 to 2
+constexpr double turning = 0.9;  // of a change of the load that the next one takes back: noise has 0.5
+
 double range(const std::vector<double>& values, std::size_t from) {
   if (from >= values.size()) return 0;
   const auto [low, high] =
@@ -68,6 +72,24 @@ double Swing::created() const {
   double passed = 0;
   for (std::size_t k = 1; k < work_.size(); ++k) passed += std::abs(work_[k] - work_[k - 1]);
   return passed > 0 ? created_.back() / passed : 0;
+}
+
+bool Swing::alternates() const {
+  const std::size_t from = windows() - windows() / 4;
+  double change = 0, back = 0, square = 0;
+  for (std::size_t k = std::max<std::size_t>(2, from); k < windows(); ++k)
+    for (const std::vector<double>& force : force_) {
+      const double now = force[k] - force[k - 1];
+      change += now * now;
+      back -= now * (force[k - 1] - force[k - 2]);
+      square += force[k] * force[k];
+    }
+  return back > turning * change && change > 0.25 * square;
+}
+
+const char* Swing::judgement() const {
+  if (!(alternation() <= growing) || alternates() || !(created() <= much)) return "growing";
+  return created() < -much ? "draining" : "stable";
 }
 
 const std::vector<double>& Swing::displacement() const {

@@ -26,6 +26,16 @@ class Swing : public Observer {
   double alternation() const;
   double created() const;  ///< work that the scheme has created over all work that has passed, without signs
 
+  /// Whether the load in the last quarter goes up and down from window to window, by more than half of
+  /// itself: an instability that suction, cut off, has bounded. Noise changes its mind in every second
+  /// window.
+  bool alternates() const;
+
+  /// Of a run that has reached its end. "growing": the load's alternation grows threefold, or alternates(),
+  /// or the scheme has created more than a twentieth of the work that passed; "draining": it has destroyed as
+  /// much; otherwise "stable".
+  const char* judgement() const;
+
   /// Of the first displacement probe's component that moves most, between the first and the last upward
   /// passage through its mean over the second half of the run [Hz]; 0 where there are less than two.
   double frequency() const;

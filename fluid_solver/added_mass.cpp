@@ -26,8 +26,8 @@ Eigen::VectorXd consistent_accelerations(const ModalLoad& load) {
   Eigen::VectorXd c = Eigen::VectorXd::Zero(modes);
   for (int k = 0; k < most_newton_steps; ++k) {
     const Eigen::VectorXd p = load.pressure + load.per_acceleration * c;
-    const Eigen::VectorXd pushing = (p.array() > 0).cast<double>();
-    const Eigen::VectorXd on_modes = load.on_modes * pushing.cwiseProduct(p);
+    const Eigen::VectorXd pushing = (p.array() > load.lowest_pressure).cast<double>();
+    const Eigen::VectorXd on_modes = load.on_modes * p.cwiseMax(load.lowest_pressure);
     const Eigen::VectorXd residual = c - load.mobility.cwiseProduct(on_modes - load.predicted);
     const Eigen::MatrixXd J =
         Eigen::MatrixXd::Identity(modes, modes) -
@@ -145,7 +145,8 @@ void AddedMass<dim>::couple(const Step& step, std::vector<double>& pressure) {
                  .per_acceleration = Eigen::MatrixXd(n, r),
                  .on_modes = Eigen::MatrixXd(r, n),
                  .mobility = Eigen::VectorXd(r),
-                 .predicted = Eigen::VectorXd(r)};
+                 .predicted = Eigen::VectorXd(r),
+                 .lowest_pressure = step.lowest_pressure};
   std::vector<std::vector<double>> all;
   for (std::size_t m = 0; m < modes_.size(); ++m) all.push_back(mode_pressure(step, m));
   for (Eigen::Index i = 0; i < n; ++i) {

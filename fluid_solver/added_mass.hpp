@@ -18,12 +18,13 @@ struct ModalLoad {
   Eigen::MatrixXd on_modes;          ///< r x n: load of a unit pressure on each mode [N/Pa]
   Eigen::VectorXd
       mobility;  ///< acceleration that a unit of load on each mode means for the window [1/(N s2)]
-  Eigen::VectorXd predicted;  ///< load on each mode that the predicted motion was computed with [N]
+  Eigen::VectorXd predicted;   ///< load on each mode that the predicted motion was computed with [N]
+  double lowest_pressure = 0;  ///< what is below is cut off [Pa]
 };
 
 /// The accelerations c of the modes, beyond the predicted motion, that agree with the load of the pressure
-/// max(0, p + P c): c = S (B max(0, p + P c) - f), eq. (20). Newton's method; the matrix 1 - S B P is the one
-/// of the added mass, positive definite.
+/// max(lowest, p + P c): c = S (B max(lowest, p + P c) - f), eq. (20). Newton's method; the matrix 1 - S B P
+/// is the one of the added mass, positive definite.
 Eigen::VectorXd consistent_accelerations(const ModalLoad& load);
 
 /// Solves for the pressure of the modes with the matrix of the step, each from its last pressure and in every
@@ -42,7 +43,8 @@ class AddedMass {
     Preconditioner& preconditioner;
     double source_per_divergence;  ///< of the pressure equation's source [kg/(m3 s)]
     double dt;
-    double tolerance;  ///< of the pressure's relative residual
+    double tolerance;        ///< of the pressure's relative residual
+    double lowest_pressure;  ///< what is below is cut off [Pa]
   };
 
   /// Of the window to come; none where the scheme does without.

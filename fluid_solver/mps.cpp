@@ -263,10 +263,12 @@ SolveReport Mps<dim>::solve_pressure(double start, double dt, double precision) 
                       .preconditioner = *preconditioner_,
                       .source_per_divergence = source_per_divergence(dt),
                       .dt = dt,
-                      .tolerance = tolerance},
+                      .tolerance = tolerance,
+                      .lowest_pressure = parameters_.lowest_pressure()},
                      pressure_);
   std::fill(particles_.p.begin(), particles_.p.end(), 0.0);
-  for (std::size_t k = 0; k < unknowns.size(); ++k) particles_.p[unknowns[k]] = std::max(0.0, pressure_[k]);
+  for (std::size_t k = 0; k < unknowns.size(); ++k)
+    particles_.p[unknowns[k]] = std::max(parameters_.lowest_pressure(), pressure_[k]);
   return report;
 }
 
@@ -277,7 +279,7 @@ Vec<dim> Mps<dim>::pressure_gradient(int i) const {
       return gradient_p_min(particles_, neighbors_, i, reference_.n0);
     case v1::Fluid::conserving:
       return gradient_conserving<dim>(particles_, neighbors_, i, reference_.n0,
-                                      parameters_.density() * gravity_);
+                                      parameters_.density() * gravity_, parameters_.lowest_pressure());
     case v1::Fluid::corrected:
       return gradient_corrected(particles_, neighbors_, i, reference_.n0) +
              repulsion(particles_, neighbors_, i, reference_.n0);

@@ -27,12 +27,12 @@ Vec<dim> gradient_p_min(const Particles<dim>& particles, const Neighbors<dim>& n
 
 template <int dim>
 Vec<dim> gradient_conserving(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i,
-                             double n0, const Vec<dim>& rho_g) {
+                             double n0, const Vec<dim>& rho_g, double lowest) {
   const double p_i = particles.p[i];
   Vec<dim> sum = Vec<dim>::Zero();
   neighbors.each(particles, i, [&](int j, const Vec<dim>& x_ij, double r) {
     const double p_j =
-        has_pressure(particles.kind[j]) ? particles.p[j] : std::max(0.0, p_i + rho_g.dot(x_ij));
+        has_pressure(particles.kind[j]) ? particles.p[j] : std::max(lowest, p_i + rho_g.dot(x_ij));
     sum += (p_j + p_i) * weight(r, neighbors.re()) / (r * r) * x_ij;
   });
   return dim / n0 * sum;
@@ -103,8 +103,10 @@ Vec<dim> velocity_laplacian(const Particles<dim>& particles, const Neighbors<dim
 
 template Vec<2> gradient_p_min<2>(const Particles<2>&, const Neighbors<2>&, int, double);
 template Vec<3> gradient_p_min<3>(const Particles<3>&, const Neighbors<3>&, int, double);
-template Vec<2> gradient_conserving<2>(const Particles<2>&, const Neighbors<2>&, int, double, const Vec<2>&);
-template Vec<3> gradient_conserving<3>(const Particles<3>&, const Neighbors<3>&, int, double, const Vec<3>&);
+template Vec<2> gradient_conserving<2>(const Particles<2>&, const Neighbors<2>&, int, double, const Vec<2>&,
+                                       double);
+template Vec<3> gradient_conserving<3>(const Particles<3>&, const Neighbors<3>&, int, double, const Vec<3>&,
+                                       double);
 template Vec<2> gradient_corrected<2>(const Particles<2>&, const Neighbors<2>&, int, double);
 template Vec<3> gradient_corrected<3>(const Particles<3>&, const Neighbors<3>&, int, double);
 template Vec<2> repulsion<2>(const Particles<2>&, const Neighbors<2>&, int, double);

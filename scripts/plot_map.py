@@ -14,7 +14,8 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
-STATES = {"stable": ("o", "#2a7ab9", "stable"), "growing": ("s", "#e8a33d", "bounded, energy grows"),
+STATES = {"stable": ("o", "#2a7ab9", "stable"), "growing": ("s", "#e8a33d", "bounded, grows or alternates"),
+          "draining": ("D", "#7a5ab9", "bounded, energy drains"),
           "blown_up": ("x", "#b3262a", "blown up"), "refused": (".", "#999999", "refused")}
 
 

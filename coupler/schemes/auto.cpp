@@ -22,37 +22,39 @@ Auto::Auto(const v1::Coupling& coupling, Participants participants)
       strong_(coupling, participants) {}
 
 Reports Auto::advance(const Window& window, Surface& surface, InterfaceAccount& account) {
-  const bool probe = choice_ == strong || window.index % probe_interval == 0;
+  const bool due = window.index % probe_interval == 0;
+  const bool probe = choice_ == strong || due;
   Scheme& scheme = probe ? strong_ : current();
   const Reports reports = scheme.advance(window, surface, account);
   effort_ = scheme.effort();
-  if (probe || choice_ == weak_inertial) choose(window, strong_.has_modes());
+  if (probe || choice_ == weak_inertial) choose(strong_.has_modes());
+  effort_.settled = choice_ == strong || (due && alternating_ == 0);
   return reports;
 }
 
-void Auto::choose(const Window& window, bool has_modes) {
+void Auto::choose(bool has_modes) {
   const double gain = strong_.ratio().value();
   quiet_ = gain > bearable_ / 2 ? 0 : quiet_ + 1;
   alternating_ =
       choice_ == weak_inertial && weak_inertial_.ratio().value() > alternating ? alternating_ + 1 : 0;
   if (choice_ == weak && gain > bearable_) {
-    change_to(has_modes ? weak_inertial : strong, window,
+    change_to(has_modes ? weak_inertial : strong,
               fmt::format("an error of the velocity comes back {:.2f} times in a window; weak bears {:.2f}",
                           gain, bearable_));
   } else if (choice_ == weak_inertial && alternating_ >= loud_windows) {
-    change_to(strong, window, "the acceleration alternates in spite of the modes' added mass");
+    change_to(strong, "the acceleration alternates in spite of the modes' added mass");
   } else if (choice_ != weak && quiet_ >= quiet_windows) {
-    change_to(weak, window, fmt::format("an error of the velocity comes back {:.2f} times only", gain));
+    change_to(weak, fmt::format("an error of the velocity comes back {:.2f} times only", gain));
   }
 }
 
-void Auto::change_to(Choice choice, const Window& window, const std::string& why) {
+void Auto::change_to(Choice choice, const std::string& why) {
+  effort_.again = choice > choice_;
   choice_ = choice;
   quiet_ = alternating_ = 0;
   if (choice == weak_inertial) weak_inertial_.forget_ratio();
   constexpr std::array<const char*, 3> names = {"weak", "weak_inertial", "strong"};
-  effort_.note =
-      fmt::format("t = {:.6g} s: {} from here: {}", window.start + window.size, names[choice], why);
+  effort_.note = fmt::format("{} from here: {}", names[choice], why);
 }
 
 void Auto::save(StateWriter& state) const {

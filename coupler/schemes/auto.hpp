@@ -13,7 +13,9 @@ namespace cosurge {
 /// Starts as `weak`. Every tenth window it goes through the window by `strong`, which measures by how much an
 /// error of the velocity comes back: the gain. Where the gain is beyond what `weak` bears, it goes on as
 /// `weak_inertial` where the solid tells its modes, and as `strong` where it does not, or where the
-/// acceleration alternates in spite of the modes. When the gain has been small for long, it is `weak` again.
+/// acceleration alternates in spite of the modes. The windows since it was last found quiet are then gone
+/// through again, so that nothing of the instability's start remains. When the gain has been small for long,
+/// it is `weak` again.
 class Auto : public Scheme {
  public:
   Auto(const v1::Coupling& coupling, Participants participants);
@@ -23,6 +25,7 @@ class Auto : public Scheme {
   Reports advance(const Window& window, Surface& surface, InterfaceAccount& account) override;
 
   const Effort& effort() const override { return effort_; }
+  bool may_go_back() const override { return choice_ != strong; }
   const AddedMassRatio& ratio() const override { return current().ratio(); }
   void save(StateWriter& state) const override;
   void restore(StateReader& state) override;
@@ -35,8 +38,8 @@ class Auto : public Scheme {
   enum Choice : int { weak, weak_inertial, strong };
 
   Scheme& current() const { return *schemes_[static_cast<std::size_t>(choice_)]; }
-  void choose(const Window& window, bool has_modes);
-  void change_to(Choice choice, const Window& window, const std::string& why);
+  void choose(bool has_modes);
+  void change_to(Choice choice, const std::string& why);
 
   double bearable_;  // gain
   Weak weak_;

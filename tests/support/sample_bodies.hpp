@@ -149,10 +149,10 @@ class HamiltonianSample : public ParticleSample<hamiltonian::HamiltonianBody<2>>
   static constexpr double conserves = 1e-9;
   static constexpr double rounding = 1e-10;
 
-  explicit HamiltonianSample(const Block& block)
-      : ParticleSample(
-            {block.body(), 0, particles::full_stencil<2>(l0, effective_radius), substance_of(block), 1.0},
-            0) {
+  explicit HamiltonianSample(const Block& block, double stabilisation = 1)
+      : ParticleSample({block.body(), 0, particles::full_stencil<2>(l0, effective_radius),
+                        substance_of(block), stabilisation},
+                       0) {
     stable_step_ = 2 / body_.highest_frequency();
   }
 

@@ -9,6 +9,10 @@ namespace {
 // about four digits, so that what remains of less is noise.
 constexpr double filter = 1e-2;
 
+// Steps of a window that may make the residual larger before its older columns are not believed: without
+// suction one or two do, on the way to the solution.
+constexpr int few = 3;
+
 constexpr double longest = 1.5;  // of a step, in residuals: (1 + M)^-1 is symmetric in another norm than this
 
 }  // namespace
@@ -18,7 +22,7 @@ Eigen::VectorXd IqnIls::next(const Eigen::VectorXd& x, const Eigen::VectorXd& re
   if (last_residual_.size() > 0) {
     changes_.push_front({.residual = residual - last_residual_, .output = output - last_output_});
     ++counts_.front();
-    if (residual.norm() > last_residual_.norm()) forget_past_windows();
+    if (residual.norm() > last_residual_.norm()) forget();
   }
   last_residual_ = residual;
   last_output_ = output;
@@ -44,15 +48,17 @@ Eigen::VectorXd IqnIls::next(const Eigen::VectorXd& x, const Eigen::VectorXd& re
   return x + step / std::max(1.0, excess);
 }
 
-void IqnIls::forget_past_windows() {
-  changes_.resize(static_cast<std::size_t>(counts_.front()));
-  counts_.resize(1);
+void IqnIls::forget() {
+  const int kept = ++growths_ < few ? counts_.front() : 1;
+  changes_.resize(static_cast<std::size_t>(kept));
+  counts_ = {kept};
 }
 
 void IqnIls::end_window() {
   last_residual_.resize(0);
   last_output_.resize(0);
   counts_.push_front(0);
+  growths_ = 0;
   while (static_cast<int>(counts_.size()) > reuse_ + 1) {
     changes_.resize(changes_.size() - static_cast<std::size_t>(counts_.back()));
     counts_.pop_back();

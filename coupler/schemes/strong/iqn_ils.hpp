@@ -11,9 +11,10 @@ namespace cosurge {
 /// and dg of outputs between iterations, of this window and the last ones: alpha = argmin |r + dr alpha|, x =
 /// g + dg alpha. Columns that are nearly combinations of newer ones are left out (QR2 filter: Haelterman et
 /// al. 2016, doi 10.1016/j.compstruc.2015.11.007). Where a step has made the residual larger, water has come
-/// or gone and past windows tell nothing of this one: their columns are dropped. Added mass is positive, so
-/// that the step (1 + M)^-1 r is not longer than r: a longer one comes from noise in the columns, and is
-/// shortened.
+/// or gone and past windows tell nothing of this one: their columns are dropped. Where it happens again and
+/// again, suction is cut off at other points in every iteration, and older columns are slopes of what is no
+/// more: all but the newest are dropped. Added mass is positive, so that the step (1 + M)^-1 r is not longer
+/// than r: a longer one comes from noise in the columns, and is shortened.
 class IqnIls : public Relaxation {
  public:
   /// @param first factor of the first iteration, while there are no columns
@@ -33,12 +34,13 @@ class IqnIls : public Relaxation {
     Eigen::VectorXd output;
   };
 
-  void forget_past_windows();
+  void forget();
 
   double first_;
   int reuse_;
   std::deque<Change> changes_;                   // newest first
   std::deque<int> counts_ = {0};                 // of changes in each window, newest first
+  int growths_ = 0;                              // of the residual in this window
   Eigen::VectorXd last_residual_, last_output_;  // of the last iteration of this window
 };
 

@@ -25,38 +25,50 @@ Reports Strong::advance(const Window& window, Surface& surface, InterfaceAccount
   account.open(surface);
   const Surface start = surface;
   Field velocity = prediction_.next(start.velocity, window);
-  Surface before;  // of the last iteration
-  Field velocity_before;
+  Pass last, nearest;
   Reports reports;
   effort_ = {.iterations = 0, .residual = 0, .note = {}, .converged = false};
   while (!effort_.converged && effort_.iterations < iterations_) {
-    Window attempt = window;
-    attempt.attempt = static_cast<std::uint32_t>(++effort_.iterations);
-    surface = start;
-    surface.velocity = velocity;
-    reports = {participants_.fluid->advance(attempt, surface),
-               participants_.solid->advance(attempt, surface)};
-    has_modes_ = has_modes_ || !surface.modes.empty();
-    surface.modes.clear();
-    const Field residual = surface.velocity - velocity;
-    effort_.residual = relative(residual.norm(), scale_of(surface.velocity, start.velocity));
-    if (effort_.iterations > 1) {
-      const Field change = velocity - velocity_before;
-      const double steepness = (surface.force - before.force).norm() / change.norm();
-      stiffness_ = effort_.iterations == 2 ? steepness : std::max(stiffness_, steepness);
-      if (effort_.iterations == 2) ratio_.iterated(change, surface.velocity - before.velocity);
-    }
+    reports = pass(window, start, velocity, surface);
+    const Pass now{.seen = velocity, .answer = surface.velocity, .force = surface.force};
+    if (effort_.iterations > 1) learn(now, last);
+    effort_.residual = relative(now.residual(), scale_of(now.answer, start.velocity));
     effort_.converged = effort_.residual == 0 ||
                         (stiffness_ >= 0 && effort_.residual <= tolerance_ &&
-                         stiffness_ * residual.norm() <= tolerance_ * scale_of(surface.force, start.force));
-    before = surface;
-    velocity_before = velocity;
-    if (!effort_.converged) velocity.reshaped() = relaxation_->next(velocity.reshaped(), residual.reshaped());
+                         stiffness_ * now.residual() <= tolerance_ * scale_of(now.force, start.force));
+    if (nearest.seen.size() == 0 || now.residual() < nearest.residual()) nearest = now;
+    last = now;
+    if (!effort_.converged)
+      velocity.reshaped() = relaxation_->next(velocity.reshaped(), (surface.velocity - velocity).reshaped());
+  }
+  if (!effort_.converged) {
+    reports = pass(window, start, nearest.seen, surface);
+    last = nearest;
   }
   relaxation_->end_window();
-  account.close(surface, velocity_before, window);
+  account.close(surface, last.seen, window);
   prediction_.passed(start.velocity, window);
   return reports;
+}
+
+Reports Strong::pass(const Window& window, const Surface& start, const Field& velocity, Surface& surface) {
+  Window attempt = window;
+  attempt.attempt = static_cast<std::uint32_t>(++effort_.iterations);
+  surface = start;
+  surface.velocity = velocity;
+  Reports reports = {participants_.fluid->advance(attempt, surface),
+                     participants_.solid->advance(attempt, surface)};
+  has_modes_ = has_modes_ || !surface.modes.empty();
+  surface.modes.clear();
+  return reports;
+}
+
+void Strong::learn(const Pass& now, const Pass& last) {
+  const Field change = now.seen - last.seen;
+  const double steepness = (now.force - last.force).norm() / change.norm();
+  const bool first = effort_.iterations == 2;
+  stiffness_ = first ? steepness : std::max(stiffness_, steepness);
+  if (first) ratio_.iterated(change, now.answer - last.answer);
 }
 
 void Strong::save(StateWriter& state) const {

@@ -12,7 +12,8 @@ namespace cosurge {
 /// by that difference is the load that it got, to the same. The water sees the bodies where they were at the
 /// start of the window, in every iteration: so the free surface and the matrix of the pressure do not change,
 /// and the load is a smooth function of the velocity but for suction, which is cut off. Where the iterations
-/// run out, the last one counts, and the effort says so. Where nothing moves, one iteration is enough.
+/// run out, the window is gone through once more with the velocity that was nearest, and the effort says so.
+/// Where nothing moves, one iteration is enough.
 class Strong : public Scheme {
  public:
   Strong(const v1::Coupling& coupling, Participants participants);
@@ -27,6 +28,16 @@ class Strong : public Scheme {
   void restore(StateReader& state) override;
 
  private:
+  /// Once through the window, by both.
+  struct Pass {
+    Field seen;    // velocity that the water saw
+    Field answer;  // of the structure
+    Field force;
+    double residual() const { return (answer - seen).norm(); }
+  };
+  Reports pass(const Window& window, const Surface& start, const Field& velocity, Surface& surface);
+  void learn(const Pass& now, const Pass& last);
+
   double tolerance_;
   int iterations_;
   Participants participants_;

@@ -33,6 +33,15 @@ TEST(ConsistentAccelerations, TakeNoSuctionIntoAccount) {
   EXPECT_NEAR(c, 4 / (2 + 3.0), 1e-12);  // the first point alone, half of the added mass
 }
 
+TEST(ConsistentAccelerations, TakeSuctionIntoAccountDownToTheLowestPressure) {
+  ModalLoad load = two_points(4, 6, 1 / 2.0);
+  load.pressure[1] = -10;
+  load.lowest_pressure = -1e5;
+  EXPECT_NEAR(consistent_accelerations(load)[0], (4 - 10) / (2 + 6.0), 1e-12);  // as without a bound
+  load.lowest_pressure = -5;  // the second point sucks with 5: c = (4 - 3 c - 5) / 2
+  EXPECT_NEAR(consistent_accelerations(load)[0], (4 - 5) / (2 + 3.0), 1e-12);
+}
+
 TEST(AddedMassOfAFloor, IsTheMassOfTheColumnAboveAndTheLoadAgreesWithTheAnswer) {
   // Water 0.1 m wide and 0.2 m deep on a body from wall to wall that moves up and down.
   constexpr double l0 = 0.005, mass = 2, rho_h = 20, height = 0.2, sound = 1000;

@@ -52,7 +52,7 @@ TYPED_TEST(Operators, AreExactForConstantAndLinearFieldsInsideALattice) {
   EXPECT_NEAR(divergence<dim>(particles, neighbors, l.i, n0, Vec<dim>::Zero()), A.trace(), rounding);
   EXPECT_LT(velocity_laplacian(particles, neighbors, l.i, n0, l.reference.lambda0).norm(), rounding);
   EXPECT_LT((gradient_p_min(particles, neighbors, l.i, n0) - slope).norm(), rounding * slope.norm());
-  EXPECT_LT((gradient_conserving<dim>(particles, neighbors, l.i, n0, Vec<dim>::Zero()) - slope).norm(),
+  EXPECT_LT((gradient_conserving<dim>(particles, neighbors, l.i, n0, Vec<dim>::Zero(), 0) - slope).norm(),
             rounding * slope.norm());
 }
 
@@ -134,7 +134,7 @@ TYPED_TEST(Operators, TheConservingGradientSeesTheHydrostaticPressureOfAWallInIt
     particles.p[j] = 3000 + rho_g.dot(particles.x[j]);
     if (particles.x[j][dim - 1] < 2 * l0) particles.kind[j] = Kind::dummy, particles.p[j] = -1e9;
   }
-  const Vec<dim> gradient = gradient_conserving(particles, neighbors, l.i, l.reference.n0, rho_g);
+  const Vec<dim> gradient = gradient_conserving(particles, neighbors, l.i, l.reference.n0, rho_g, 0);
   EXPECT_LT((gradient - rho_g).norm(), rounding * rho_g.norm());
 }
 
@@ -147,7 +147,8 @@ TYPED_TEST(Operators, TheConservingGradientAddsUpToNothingForAnyPressures) {
   Vec<dim> sum = Vec<dim>::Zero();
   double size = 0;
   for (int i = 0; i < cloud.particles.size(); ++i) {
-    const Vec<dim> g = gradient_conserving<dim>(cloud.particles, cloud.neighbors, i, 6.5, Vec<dim>::Zero());
+    const Vec<dim> g =
+        gradient_conserving<dim>(cloud.particles, cloud.neighbors, i, 6.5, Vec<dim>::Zero(), 0);
     sum += g;
     size += g.norm();
   }

@@ -1,0 +1,43 @@
+#include "coupler/swing.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/piston_run.hpp"
+
+namespace cosurge {
+namespace {
+
+using testing::Piston;
+using testing::PistonRun;
+
+/// Judgement of `count` windows of a piston with an added mass of `ratio` times its own, `windows` a period.
+std::string judgement(double ratio, v1::Coupling::Velocity velocity, double windows, std::uint64_t count) {
+  const Piston piston{.mass = 500 / ratio, .substeps = 50};
+  v1::Coupling coupling;
+  coupling.set_velocity(velocity);
+  PistonRun run(piston, coupling, 1 / (windows * piston.wet_frequency()));
+  Swing swing(*run.coupler);
+  run.coupler->run({&swing}, [&] { return swing.windows() >= count; });
+  return swing.judgement();
+}
+
+TEST(Swing, TellsAStableRunFromOneWhoseAlternationGrows) {
+  EXPECT_EQ(judgement(0.5, v1::Coupling::end, 1000, 1000), "stable");
+  EXPECT_EQ(judgement(1.1, v1::Coupling::end, 1000, 200), "growing");  // 1.1 times a window
+}
+
+TEST(Swing, TellsALoadThatAlternatesAndGrowsNoMore) {
+  // At the limit of `weak` an alternation neither grows nor dies. The first window makes it: water that the
+  // piston has set in motion unawares.
+  EXPECT_EQ(judgement(0.999, v1::Coupling::end, 20000, 200), "growing");
+  EXPECT_EQ(judgement(0.9, v1::Coupling::end, 20000, 200), "stable");  // 0.9^150
+}
+
+TEST(Swing, TellsARunWhoseEnergyTheSchemeDestroys) {
+  // By theory `weak` takes 9 % of the amplitude in a period of 100 windows: nearly all of it in one of 10.
+  EXPECT_EQ(judgement(0.5, v1::Coupling::mean, 10, 20), "draining");
+  EXPECT_EQ(judgement(0.5, v1::Coupling::mean, 1000, 2000), "stable");
+}
+
+}  // namespace
+}  // namespace cosurge

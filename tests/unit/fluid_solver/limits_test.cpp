@@ -1,0 +1,98 @@
+// Both sides of the borders of the water that docs/stability.md draws.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "common/error.hpp"
+#include "tests/support/turning_patch.hpp"
+
+namespace cosurge::fluid {
+namespace {
+
+using test::box_of;
+using test::solid_of;
+using test::tank_of_water;
+
+constexpr double g = 9.81;
+const Vec<2> down(0, -g);
+
+TEST(MpsSuction, ReachesDownToTheLowestPressureOfTheCase) {
+  // Water 0.2 m deep on a body from wall to wall that is pulled away at three times g: -2 rho g H at its top.
+  constexpr double l0 = 0.01, dt = 4e-3, height = 0.2;
+  const v1::Solid floor = solid_of(box_of({0, 0}, {0.1, 0.05}));
+  const auto pressures = [&](double lowest) {
+    v1::Fluid fluid =
+        tank_of_water(l0, box_of({0, 0}, {0.1, 0.4}), {box_of({0, 0.05}, {0.1, 0.05 + height})});
+    fluid.set_source(v1::Fluid::mixed);
+    fluid.set_lowest_pressure(lowest);
+    Mps<2> mps(fluid, &floor, down);
+    Surface surface = Surface::at_rest(2, mps.bodies().points());
+    surface.velocity.row(1).setConstant(-3 * g * dt);
+    mps.move_bodies(surface.displacement, surface.velocity);
+    (void)mps.step(0, dt);
+    mps.load(surface);
+    return surface.pressure;
+  };
+  const double full = -2 * 1000 * g * height;
+  // gamma takes 1 %, and the pressure belongs to particles half a spacing off at both ends: 5 % of the
+  // height.
+  EXPECT_NEAR(pressures(-1e5).minCoeff() / full, 1, 0.06);
+  EXPECT_EQ(pressures(0).minCoeff(), 0);
+  EXPECT_EQ(pressures(0.3 * full).minCoeff(), 0.3 * full);
+}
+
+TEST(MpsSuction, HoldsATurningPatchTogetherThatFliesApartWithoutIt) {
+  test::TurningPatch apart({.particles = 20});
+  test::TurningPatch together({.particles = 20, .lowest_pressure = -1e5});
+  for (int k = 0; k < 125; ++k) apart.step(), together.step();
+  const double t = apart.time();
+  EXPECT_NEAR(apart.filled(), 1 / (1 + t * t), 0.01);  // straight flight; the box cuts through 400 cells
+  EXPECT_NEAR(apart.energy(), 1, 1e-9);
+  EXPECT_NEAR(together.filled(), 1, 0.02);  // measured at twice as many particles: 0.2 %
+  EXPECT_NEAR(together.angular_momentum(), 1, 0.02);
+  EXPECT_NEAR(together.energy(), 1, 0.02);
+  EXPECT_NEAR(together.pressure() / -1000, 0.13, 0.04);  // -0.147 at first, less as the corners draw out
+}
+
+/// The column of docs/tables/fluid_column.csv in windows of a Courant number, until 0.05 s.
+void collapse(v1::Fluid::Source source, double courant) {
+  constexpr double l0 = 0.004;
+  v1::Fluid fluid = tank_of_water(l0, box_of({0, 0}, {0.584, 0.584}), {box_of({0, 0}, {0.148, 0.292})});
+  fluid.set_source(source);
+  fluid.set_propagation_speed(1);
+  fluid.set_courant(courant);
+  Mps<2> mps(fluid, nullptr, down);
+  for (double t = 0, dt = courant * std::sqrt(l0 / g); t < 0.05;) {
+    const StepReport step = mps.step(t, dt);
+    t += dt;
+    dt = step.max_window;
+  }
+}
+
+TEST(MpsCourantNumber, OfThreeTenthsHoldsAndOfAHalfDoesNot) {
+  for (const auto source : {v1::Fluid::deviation, v1::Fluid::mixed}) {
+    EXPECT_NO_THROW(collapse(source, 0.3)) << source;
+    EXPECT_THROW(collapse(source, 0.5), NumericalError) << source;
+  }
+}
+
+TEST(MpsCompressibility, MakesTheWaterTooDenseByWhatTheSourceDoesNotMend) {
+  // At rest alpha P rho / dt^2 = rho k^2 (n - n0) / n0 : too dense by alpha P / (k dt)^2, k = c / l0.
+  constexpr double l0 = 0.01, dt = 1e-3, depth = 0.2, speed = 1;
+  const auto too_dense = [&](double alpha) {
+    v1::Fluid fluid = tank_of_water(l0, box_of({0, 0}, {0.1, 0.3}), {box_of({0, 0}, {0.1, depth})});
+    fluid.set_source(v1::Fluid::time_scale);
+    fluid.set_propagation_speed(speed);
+    fluid.set_compressibility(alpha);
+    Mps<2> mps(fluid, nullptr, down);
+    for (int k = 0; k < 600; ++k) (void)mps.step(k * dt, dt);
+    return test::filled(mps, l0, {{0, 0.03}, {0.1, 0.07}}) - 1;
+  };
+  const double pressure = 1000 * g * (depth - 0.05), mended = std::pow(speed / l0 * dt, 2);
+  // A box of 10 x 4 spacings, whose rim counts by halves, and a surface that sinks by a tenth.
+  EXPECT_NEAR(too_dense(1e-6), 1e-6 * pressure / mended, 0.05);
+  EXPECT_NEAR(too_dense(1e-9), 0, 0.05);
+}
+
+}  // namespace
+}  // namespace cosurge::fluid
