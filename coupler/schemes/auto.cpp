@@ -25,7 +25,7 @@ Reports Auto::advance(const Window& window, Surface& surface, InterfaceAccount& 
   const bool due = window.index % probe_interval == 0;
   const bool probe = choice_ == strong || due;
   Scheme& scheme = probe ? strong_ : current();
-  const Reports reports = scheme.advance(window, surface, account);
+  Reports reports = scheme.advance(window, surface, account);
   effort_ = scheme.effort();
   if (probe || choice_ == weak_inertial) choose(strong_.has_modes());
   effort_.settled = choice_ == strong || (due && alternating_ == 0);
