@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cmath>
+#include <utility>
 
 namespace cosurge {
 namespace {
@@ -48,11 +49,11 @@ void Progress::find(const std::vector<Member>& members, const std::string& membe
 
 void Progress::window(const Window& window, const Reports& reports, const std::vector<double>& coupling) {
   const auto now = Clock::now();
-  const double took = Seconds(now - window_start_).count();
-  window_start_ = now;
+  ++unshown_;
   const double time = window.start + window.size;
   const bool last = time >= end_;
   if (Seconds(now - shown_).count() < (terminal_ ? terminal_interval : plain_interval) && !last) return;
+  const double each = Seconds(now - shown_).count() / std::exchange(unshown_, 0);
   shown_ = now;
   const double elapsed = Seconds(now - start_).count();
   std::string line =
@@ -64,7 +65,7 @@ void Progress::window(const Window& window, const Reports& reports, const std::v
                             : fmt::format("  {} {:.2f} {}", q.label, value, q.unit);
   }
   if (reports.size() > 1) line += coupling_text(coupling);
-  line += fmt::format("  {:.1f} ms/window  {} left", 1e3 * took, clock_text(elapsed * (end_ - time) / time));
+  line += fmt::format("  {:.1f} ms/window  {} left", 1e3 * each, clock_text(elapsed * (end_ - time) / time));
   std::fputs((terminal_ ? "\r\x1b[K" + line : line + "\n").c_str(), out_);
   std::fflush(out_);
 }

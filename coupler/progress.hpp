@@ -42,7 +42,7 @@ class Progress : public Observer {
   bool terminal_;
   Clock::time_point start_ = Clock::now();
   Clock::time_point shown_ = start_;
-  Clock::time_point window_start_ = start_;
+  int unshown_ = 0;  // windows since then
 };
 
 }  // namespace cosurge

@@ -68,7 +68,7 @@ TEST(IqnIls, WhatPastWindowsHaveShownDoesNotHinderOneWhoseWaterHasGoneElsewhere)
 
 TEST(IqnIls, ConvergesWhereSuctionIsCutOffAtOtherPointsInEveryIteration) {
   // g(x) = c + max(0, p - M x): pressures on both sides of zero, added mass that falls off slowly, up to 7.5.
-  // With all columns of the window kept, half of the windows did not converge in thirty iterations.
+  // With all columns of the window kept, 42 of the windows did not converge in thirty iterations.
   std::mt19937 random(3);
   std::normal_distribution<double> unit;
   IqnIls relaxation(0.5, 5);
