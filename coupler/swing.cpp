@@ -7,7 +7,7 @@
 namespace cosurge {
 namespace {
 
-constexpr double growing = 3;    // times the alternation of the second quarter: noise alone makes 0.5 to 2
+constexpr double growing = 3;    // times the change of the second quarter: noise alone makes 0.5 to 5
 constexpr double much = 0.05;    // of the work: stable runs have less than 0.01, bounded ones 0.1 to 2
 constexpr double turning = 0.9;  // of a change of the load that the next one takes back: noise has 0.5
 
@@ -84,11 +84,11 @@ bool Swing::alternates() const {
       back -= now * (force[k - 1] - force[k - 2]);
       square += force[k] * force[k];
     }
-  return back > turning * change && change > 0.25 * square;
+  return back > turning * change && (change > 0.25 * square || !(alternation() <= growing));
 }
 
 const char* Swing::judgement() const {
-  if (!(alternation() <= growing) || alternates() || !(created() <= much)) return "growing";
+  if (alternates() || !(created() <= much)) return "growing";
   return created() < -much ? "draining" : "stable";
 }
 

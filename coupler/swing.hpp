@@ -26,14 +26,14 @@ class Swing : public Observer {
   double alternation() const;
   double created() const;  ///< work that the scheme has created over all work that has passed, without signs
 
-  /// Whether the load in the last quarter goes up and down from window to window, by more than half of
-  /// itself: an instability that suction, cut off, has bounded. Noise changes its mind in every second
-  /// window.
+  /// Whether the load goes up and down from window to window in the last quarter, each change taken back by
+  /// the next, and by more than half of itself, or three times as much as in the second quarter. An
+  /// instability that suction, cut off, has bounded does the one, a young one the other; noise turns in every
+  /// second window.
   bool alternates() const;
 
-  /// Of a run that has reached its end. "growing": the load's alternation grows threefold, or alternates(),
-  /// or the scheme has created more than a twentieth of the work that passed; "draining": it has destroyed as
-  /// much; otherwise "stable".
+  /// Of a run that has reached its end. "growing": it alternates(), or the scheme has created more than a
+  /// twentieth of the work that passed; "draining": it has destroyed as much; otherwise "stable".
   const char* judgement() const;
 
   /// Of the first displacement probe's component that moves most, between the first and the last upward

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "tests/support/piston_run.hpp"
 
 namespace cosurge {
@@ -31,6 +33,24 @@ TEST(Swing, TellsALoadThatAlternatesAndGrowsNoMore) {
   // piston has set in motion unawares.
   EXPECT_EQ(judgement(0.999, v1::Coupling::end, 20000, 200), "growing");
   EXPECT_EQ(judgement(0.9, v1::Coupling::end, 20000, 200), "stable");  // 0.9^150
+}
+
+TEST(Swing, DoesNotTakeNoiseThatGrowsForAnInstability) {
+  const Piston piston{.mass = 2500, .substeps = 50};
+  v1::Coupling coupling;
+  coupling.set_velocity(v1::Coupling::end);
+  PistonRun run(piston, coupling, 1e-3 / piston.wet_frequency());
+  std::mt19937 random(3);
+  std::normal_distribution<double> noise;
+  run.fluid->on_advance = [&, water = run.fluid->on_advance](const Window& window, Surface& surface) {
+    const Report report = water(window, surface);
+    surface.force.row(1).array() += (window.index < 100 ? 1 : 10) * noise(random);
+    return report;
+  };
+  Swing swing(*run.coupler);
+  run.coupler->run({&swing}, [&] { return swing.windows() >= 200; });
+  EXPECT_GT(swing.alternation(), 5);
+  EXPECT_STREQ(swing.judgement(), "stable");
 }
 
 TEST(Swing, TellsARunWhoseEnergyTheSchemeDestroys) {
