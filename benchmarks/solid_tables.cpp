@@ -9,7 +9,8 @@
 #include <functional>
 #include <map>
 
-#include "tests/support/plate.hpp"
+#include "common/threads.hpp"
+#include "tests/support/impact.hpp"
 
 namespace cosurge {
 namespace {
@@ -207,16 +208,39 @@ void cost() {
   }
 }
 
+/// The impact on the rigid plate, as it was recorded, on a soft and on the stiffest plate: CPU, and where the
+/// tip goes to.
+void recorded() {
+  print_line(
+      "young_modulus_Pa,model,setup_seconds,cpu_seconds,mps_over_cpu,largest_tip_m,off_mps_percent,at_s,"
+      "mean_off_mps_percent,apart_percent");
+  std::vector<Model> by_cost = models;
+  std::reverse(by_cost.begin(), by_cost.end());  // `mps` is what the others are put beside
+  std::erase_if(by_cost, [](const Model& one) { return one.pairs == v1::SolidMps::paper; });
+  const RecordedPressure pressure(impact_file);
+  for (const Cantilever& plate : {plates[1], plates.back()}) {
+    Impact beside;
+    for (const Model& model : by_cost) {
+      Impact impact;
+      const double all = cpu_of([&] { impact = impact_on(model.plate(plate), pressure); });
+      if (beside.tip.empty()) beside = impact;
+      print_line(
+          fmt::format("{:g},{},{:.2g},{:.4g},{:.4g},{:.5g},{:.2f},{:.4f},{:.2f},{:.1f}", plate.young_modulus,
+                      model.name, all - impact.seconds, impact.seconds, beside.seconds / impact.seconds,
+                      impact.largest(), percent(impact.largest(), beside.largest()), impact.at(),
+                      percent(impact.mean(), beside.mean()), 100 * impact.apart(beside) / beside.largest()));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace cosurge
 
 int main(int count, char** arguments) {
   using namespace cosurge;
-  const std::map<std::string, std::function<void()>> tables = {{"frequencies", frequencies},
-                                                               {"waves", waves},
-                                                               {"elastica", elastica},
-                                                               {"energy", energy},
-                                                               {"cost", cost}};
+  const std::map<std::string, std::function<void()>> tables = {
+      {"frequencies", frequencies}, {"waves", waves}, {"elastica", elastica},
+      {"energy", energy},           {"cost", cost},   {"recorded", recorded}};
   CLI::App app("Writes one table of the solid models to standard output, as CSV");
   std::string table;
   app.add_option("table", table)->required()->check(CLI::IsMember(tables));
@@ -227,5 +251,6 @@ int main(int count, char** arguments) {
   CLI11_PARSE(app, count, arguments);
   if (!model.empty()) std::erase_if(models, [&](const Model& one) { return one.name != model; });
   fmt::print("# build/release/bin/solid_tables {}\n", table);
+  set_threads(1);  // CPU seconds with nobody waiting
   tables.at(table)();
 }

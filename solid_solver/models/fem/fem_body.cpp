@@ -186,9 +186,12 @@ typename FemBody<dim>::Deformation FemBody<dim>::deformation(const Vector& u) co
     at_nodes.push_back(Element::gradients(Element::place(a).template cast<double>().array() - 1) *
                        scale.asDiagonal());
   Deformation largest;
+  double rotation_squared = 0;
   const auto add = [&](const Mat<dim>& H) {
     const Mat<dim> turn = 0.5 * (H - H.transpose()), strain = 0.5 * (H + H.transpose());
-    largest.rotation = std::max(largest.rotation, turn.norm() / std::sqrt(2.0));
+    rotation_squared = std::max(rotation_squared, 0.5 * turn.squaredNorm());
+    // No principal strain is larger than this norm.
+    if (strain.squaredNorm() <= largest.strain * largest.strain) return;
     const auto principal =
         Eigen::SelfAdjointEigenSolver<Mat<dim>>().computeDirect(strain, Eigen::EigenvaluesOnly).eigenvalues();
     largest.strain = std::max(largest.strain, principal.cwiseAbs().maxCoeff());
@@ -199,6 +202,7 @@ typename FemBody<dim>::Deformation FemBody<dim>::deformation(const Vector& u) co
     for (const Quadrature& q : quadratures(e))
       if (!mesh_.even()) add(moved * q.gradients);
   }
+  largest.rotation = std::sqrt(rotation_squared);
   return largest;
 }
 

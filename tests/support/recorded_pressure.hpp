@@ -1,0 +1,26 @@
+// A pressure on a face as it was recorded.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace cosurge {
+
+/// Of a CSV: heights of the gauges in the first line, behind a number that says nothing; then a line for each
+/// instant, its time and the pressures. Lines that begin with # are left out.
+class RecordedPressure {
+ public:
+  /// @throws Error for a file that is missing or not such a table
+  explicit RecordedPressure(const std::string& file);
+
+  const std::vector<double>& times() const { return times_; }  ///< [s]
+
+  /// At an instant, linear between the gauges and constant beyond them [Pa].
+  double at(std::size_t instant, double height) const;
+
+ private:
+  std::vector<double> heights_, times_;
+  std::vector<std::vector<double>> pressures_;  // of each instant
+};
+
+}  // namespace cosurge
