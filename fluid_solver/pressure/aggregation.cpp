@@ -32,20 +32,17 @@ std::vector<std::int32_t> pair_up(const std::vector<Cell>& cells, std::vector<Ce
   return group;
 }
 
-/// The members of each group, one group after the other: members[begin[g]] ... members[begin[g + 1]].
-struct Members {
-  Members(const std::vector<std::int32_t>& group, std::size_t groups)
-      : begin(groups + 1), member(group.size()) {
-    for (const std::int32_t g : group) ++begin[static_cast<std::size_t>(g) + 1];
-    for (std::size_t g = 0; g < groups; ++g) begin[g + 1] += begin[g];
-    std::vector<std::int32_t> next(begin.begin(), begin.end() - 1);
-    for (std::size_t i = 0; i < group.size(); ++i) member[next[group[i]]++] = static_cast<std::int32_t>(i);
-  }
-  std::vector<std::int32_t> begin;
-  std::vector<std::int32_t> member;
-};
-
 }  // namespace
+
+void Aggregation::Level::list_members() {
+  begin.assign(cell.size() + 1, 0);
+  for (const std::int32_t a : aggregate) ++begin[static_cast<std::size_t>(a) + 1];
+  for (std::size_t a = 0; a < cell.size(); ++a) begin[a + 1] += begin[a];
+  std::vector<std::int32_t> next(begin.begin(), begin.end() - 1);
+  member.resize(aggregate.size());
+  for (std::size_t i = 0; i < aggregate.size(); ++i)
+    member[next[aggregate[i]]++] = static_cast<std::int32_t>(i);
+}
 
 void Aggregation::set_up(const Matrix& A, const CellsOfUnknowns& cells) {
   A_ = &A;
@@ -67,17 +64,16 @@ auto Aggregation::first_level(const Matrix& A, const CellsOfUnknowns& cells) con
   level.cell = cells.cell;
   level.aggregate = cells.of_unknown;
   level.diagonal.resize(cells.cell.size());
-  const int width = std::min(Matrix::lanes, A.size());
   const auto fill = [&](int a, std::int64_t begin) {
     thread_local std::vector<float> sums;
-    sums.resize(static_cast<std::size_t>(A.size()), 0.0F);
+    sums.resize(Matrix::padded(A.size()), 0.0F);
     double diagonal = 0;
     for (int i = first_[a]; i < first_[a + 1]; ++i) {
       diagonal += A.diagonal[i];
       for (std::int64_t b = A.rows.begin(i); b < A.rows.end(i); ++b) {
         float* const columns = sums.data() + A.first[b];
         const float* const w = A.weight.data() + b * Matrix::lanes;
-        for (int k = 0; k < width; ++k) columns[k] += w[k];
+        for (int k = 0; k < Matrix::lanes; ++k) columns[k] += w[k];
       }
     }
     std::int64_t end = begin;
@@ -92,67 +88,63 @@ auto Aggregation::first_level(const Matrix& A, const CellsOfUnknowns& cells) con
         if (b == a) {
           diagonal -= static_cast<double>(sum);
         } else if (sum != 0) {
-          level.column[end] = b;
-          level.weight[end++] = sum;
+          level.append(b, sum, level.size(), begin, end);
         }
       }
     }
     level.diagonal[a] = static_cast<float>(diagonal);
     return end - begin;
   };
-  const auto room = [&](std::int64_t entries) { level.make_room(entries); };
-  level.rows.fill(cells.size(), cells.lines_per_cell * 5, widest, room, fill);
+  const auto room = [&](std::int64_t blocks) { level.make_room(blocks); };
+  level.rows.fill(cells.size(), cells.lines_per_cell, cells.lines_per_cell, room, fill);
   return level;
 }
 
 auto Aggregation::next_level(const Level& fine) -> Level {
   Level level;
   level.aggregate = pair_up(fine.cell, level.cell);
-  const Members members(level.aggregate, level.cell.size());
+  level.list_members();
   level.diagonal.resize(level.cell.size());
   const auto fill = [&](int a, std::int64_t begin) {
     thread_local std::vector<float> sums;
+    thread_local std::vector<std::int32_t> columns;
     sums.resize(level.cell.size(), 0.0F);
+    columns.clear();
     float diagonal = 0;
-    std::int64_t end = begin;
-    for (int m = members.begin[a]; m < members.begin[a + 1]; ++m) {
-      const std::int32_t i = members.member[m];
-      diagonal += fine.diagonal[i];
-      for (std::int64_t k = fine.rows.begin(i); k < fine.rows.end(i); ++k) {
-        const std::int32_t b = level.aggregate[fine.column[k]];
-        if (sums[b] == 0) level.column[end++] = b;
-        sums[b] += fine.weight[k];
-      }
+    for (int m = level.begin[a]; m < level.begin[a + 1]; ++m) {
+      diagonal += fine.diagonal[level.member[m]];
+      fine.each(level.member[m], [&](int column, float w) {
+        const std::int32_t b = level.aggregate[column];
+        if (sums[b] == 0) columns.push_back(b);
+        sums[b] += w;
+      });
     }
-    std::int64_t kept = begin;
-    for (std::int64_t k = begin; k < end; ++k) {
-      const std::int32_t b = level.column[k];
-      if (b == a) {
+    std::sort(columns.begin(), columns.end());
+    std::int64_t end = begin;
+    for (const std::int32_t b : columns) {
+      if (b == a)
         diagonal -= sums[b];
-      } else {
-        level.column[kept] = b;
-        level.weight[kept++] = sums[b];
-      }
+      else
+        level.append(b, sums[b], level.size(), begin, end);
       sums[b] = 0;
     }
     level.diagonal[a] = diagonal;
-    return kept - begin;
+    return end - begin;
   };
-  const auto room = [&](std::int64_t entries) { level.make_room(entries); };
-  level.rows.fill(static_cast<int>(level.cell.size()), widest / 4, widest, room, fill);
+  const auto room = [&](std::int64_t blocks) { level.make_room(blocks); };
+  level.rows.fill(level.size(), widest / 8, widest, room, fill);
   return level;
 }
 
 void Aggregation::factorise() {
   for (Level& level : coarse_)
-    for (auto* v : {&level.r, &level.x, &level.t}) v->resize(static_cast<std::size_t>(level.size()));
+    for (auto* v : {&level.r, &level.x, &level.t}) v->resize(Matrix::padded(level.size()));
   const Level& last = coarse_.back();
   Eigen::MatrixXf dense = Eigen::MatrixXf::Zero(last.size(), last.size());
   for (int i = 0; i < last.size(); ++i) {
     // Rounding of the sums must not make a floating group of particles indefinite.
     dense(i, i) = last.diagonal[i] * (1 + 1e-5F);
-    for (std::int64_t k = last.rows.begin(i); k < last.rows.end(i); ++k)
-      dense(i, last.column[k]) = -last.weight[k];
+    last.each(i, [&](int j, float w) { dense(i, j) = -w; });
   }
   direct_.compute(dense);
 }
@@ -166,25 +158,27 @@ void Aggregation::cycle(std::size_t depth) {
         direct_.solve(Eigen::Map<Eigen::VectorXf>(level.r.data(), size));
     return;
   }
-  const auto coupled = [&](int i, const std::vector<float>& x) {
-    float sum = 0;
-    for (std::int64_t k = level.rows.begin(i); k < level.rows.end(i); ++k)
-      sum += level.weight[k] * x[level.column[k]];
-    return sum;
-  };
-  for (int i = 0; i < size; ++i) level.x[i] = damping * level.r[i] / level.diagonal[i];
   Level& next = coarse_[depth + 1];
-  std::fill(next.r.begin(), next.r.end(), 0.0F);
-  for (int i = 0; i < size; ++i)
-    next.r[next.aggregate[i]] += level.r[i] - level.diagonal[i] * level.x[i] + coupled(i, level.x);
+  float* const x = level.x.data();
+#pragma omp parallel for simd schedule(static) if (size >= parallel_from)
+  for (int i = 0; i < size; ++i) x[i] = damping * level.r[i] / level.diagonal[i];
+#pragma omp parallel for schedule(static) if (size >= parallel_from)
+  for (int a = 0; a < next.size(); ++a) {
+    float sum = 0;  // of the residuals
+    for (int m = next.begin[a]; m < next.begin[a + 1]; ++m)
+      sum += (1 - damping) * level.r[next.member[m]] + level.product(next.member[m], x);
+    next.r[a] = sum;
+  }
   cycle(depth + 1);
-  for (int i = 0; i < size; ++i) level.x[i] += correction * next.x[next.aggregate[i]];
+#pragma omp parallel for schedule(static) if (size >= parallel_from)
+  for (int i = 0; i < size; ++i) x[i] += correction * next.x[next.aggregate[i]];
+#pragma omp parallel for schedule(static) if (size >= parallel_from)
   for (int i = 0; i < size; ++i)
-    level.t[i] = level.x[i] + damping * ((level.r[i] + coupled(i, level.x)) / level.diagonal[i] - level.x[i]);
+    level.t[i] = x[i] + damping * ((level.r[i] + level.product(i, x)) / level.diagonal[i] - x[i]);
   level.x.swap(level.t);
 }
 
-void Aggregation::apply(const std::vector<double>& r, std::vector<double>& z) {
+void Aggregation::apply(const std::vector<double>& r, std::vector<float>& z) {
   const int size = A_->size();
   Level& coarse = coarse_.front();
 #pragma omp parallel for schedule(static) if (size >= parallel_from)
@@ -196,8 +190,8 @@ void Aggregation::apply(const std::vector<double>& r, std::vector<double>& z) {
   cycle(0);
 #pragma omp parallel for schedule(static) if (size >= parallel_from)
   for (int a = 0; a < coarse.size(); ++a) {
-    const auto x = static_cast<double>(correction * coarse.x[a]);
-    for (int i = first_[a]; i < first_[a + 1]; ++i) z[i] = r[i] / A_->diagonal[i] + x;
+    const float x = correction * coarse.x[a];
+    for (int i = first_[a]; i < first_[a + 1]; ++i) z[i] = static_cast<float>(r[i] / A_->diagonal[i]) + x;
   }
 }
 

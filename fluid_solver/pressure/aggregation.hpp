@@ -17,7 +17,7 @@ namespace cosurge::fluid {
 class Aggregation : public Preconditioner {
  public:
   void set_up(const Matrix& A, const CellsOfUnknowns& cells) override;
-  void apply(const std::vector<double>& r, std::vector<double>& z) override;
+  void apply(const std::vector<double>& r, std::vector<float>& z) override;
 
   int levels() const { return static_cast<int>(coarse_.size()) + 1; }
 
@@ -26,20 +26,16 @@ class Aggregation : public Preconditioner {
   static constexpr float correction = 1.6F;  // of the coarser solution: measured best on disordered columns
   static constexpr int directly = 160;       // unknowns below which the system is factorised
 
-  /// One coarse level: its matrix, and how its unknowns gather those of the level above.
-  struct Level {
+  /// One coarse level: its matrix, and how its unknowns gather those of the finer level.
+  struct Level : BlockRows {
     std::vector<std::array<int, 3>> cell;
-    Rows rows;
-    std::vector<std::int32_t> column;
-    std::vector<float> weight;  // as in Matrix
     std::vector<float> diagonal;
     std::vector<std::int32_t> aggregate;  // of each unknown of the finer level
+    std::vector<std::int32_t> begin;      // of each aggregate in `member`, and the end
+    std::vector<std::int32_t> member;     // unknowns of the finer level
     std::vector<float> r, x, t;
-    int size() const { return static_cast<int>(diagonal.size()); }
-    void make_room(std::int64_t entries) {
-      column.resize(static_cast<std::size_t>(entries));
-      weight.resize(static_cast<std::size_t>(entries));
-    }
+    int size() const { return static_cast<int>(cell.size()); }
+    void list_members();
   };
 
   Level first_level(const Matrix& A, const CellsOfUnknowns& cells) const;

@@ -8,8 +8,8 @@ namespace cosurge::fluid {
 class Jacobi : public Preconditioner {
  public:
   void set_up(const Matrix& A, const CellsOfUnknowns&) override { diagonal_ = &A.diagonal; }
-  void apply(const std::vector<double>& r, std::vector<double>& z) override {
-    for (std::size_t i = 0; i < r.size(); ++i) z[i] = r[i] / (*diagonal_)[i];
+  void apply(const std::vector<double>& r, std::vector<float>& z) override {
+    for (std::size_t i = 0; i < r.size(); ++i) z[i] = static_cast<float>(r[i] / (*diagonal_)[i]);
   }
 
  private:

@@ -38,7 +38,7 @@ class Preconditioner {
  public:
   virtual ~Preconditioner() = default;
   virtual void set_up(const Matrix& A, const CellsOfUnknowns& cells) = 0;
-  virtual void apply(const std::vector<double>& r, std::vector<double>& z) = 0;
+  virtual void apply(const std::vector<double>& r, std::vector<float>& z) = 0;
 };
 
 std::unique_ptr<Preconditioner> make_preconditioner(const v1::Pressure& choice);

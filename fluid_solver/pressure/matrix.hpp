@@ -12,47 +12,109 @@ namespace cosurge::fluid {
 using Floats = float __attribute__((vector_size(8 * sizeof(float))));
 using Doubles = double __attribute__((vector_size(8 * sizeof(double))));
 
-/// Symmetric M-matrix: (A x)_i = diagonal_i x_i - sum_j weight_ij x_j with weight_ij = weight_ji >= 0.
+template <typename Lanes>
+Lanes load(const void* numbers) {
+  Lanes values;
+  std::memcpy(&values, numbers, sizeof values);
+  return values;
+}
+
+template <typename Lanes>
+auto sum_of_lanes(const Lanes& v) {
+  return ((v[0] + v[4]) + (v[1] + v[5])) + ((v[2] + v[6]) + (v[3] + v[7]));
+}
+
+/// Weights of a sparse matrix.
 ///
 /// Unknowns are numbered by cell, so the neighbours of a row lie in a few runs of consecutive columns, one
 /// for each line of cells around it. A row is a list of blocks of `lanes` consecutive columns, zeros
 /// included: half as many numbers again as a list of neighbours, but an index for a block only, no gathering,
-/// and one loop whose end alone has to be guessed: several times faster. Weights are in single precision
-/// (both halves of a pair round to the same value), the diagonal in double.
-struct Matrix {
+/// and one loop whose end alone has to be guessed: several times faster.
+///
+/// Vectors are read in whole lanes: they have at least `lanes` numbers.
+struct BlockRows {
   static constexpr int lanes = 8;
+  static constexpr int ahead = 32;
 
   Rows rows;                        ///< of blocks
   std::vector<std::int32_t> first;  ///< column of the first weight of each block
-  std::vector<float> weight;        ///< `lanes` a block, or as many as there are columns if those are fewer
-  std::vector<double> diagonal;
+  std::vector<float> weight;        ///< `lanes` a block
 
-  int size() const { return static_cast<int>(diagonal.size()); }
+  /// Numbers of a vector that `columns` are read from.
+  static std::size_t padded(int columns) { return static_cast<std::size_t>(std::max(columns, lanes)); }
 
-  /// sum_j weight_ij x_j.
-  double off_diagonal(int i, const double* x) const {
-    if (size() < lanes) return sum_few(i, x);
-    Doubles even{};
-    Doubles odd{};
+  /// Column where a block begins that holds this one: none goes over the end.
+  static int block_of(int column, int columns) { return std::max(0, std::min(column, columns - lanes)); }
+
+  void make_room(std::int64_t blocks) {
+    first.resize(static_cast<std::size_t>(blocks));
+    weight.resize(static_cast<std::size_t>(blocks) * lanes);
+  }
+
+  /// Appends a weight to the row of blocks begin ... end; columns ascend.
+  void append(int column, float w, int columns, std::int64_t begin, std::int64_t& end) {
+    if (end == begin || column >= first[end - 1] + lanes) {
+      first[end] = block_of(column, columns);
+      std::fill_n(weight.begin() + end * lanes, lanes, 0.0F);
+      ++end;
+    }
+    weight[(end - 1) * lanes + column - first[end - 1]] = w;
+  }
+
+  /// Sum of term(weights, column) over the blocks of row i, by lane.
+  template <typename Lanes, typename Term>
+  auto sum(int i, Term&& term) const {
+    Lanes even{};
+    Lanes odd{};
     const std::int64_t end = rows.end(i);
     std::int64_t b = rows.begin(i);
     const float* w = weight.data() + b * lanes;
     for (; b + 2 <= end; b += 2, w += 2 * std::ptrdiff_t{lanes}) {
-      even += product(w, x + first[b]);
-      odd += product(w + lanes, x + first[b + 1]);
+      __builtin_prefetch(w + ahead * lanes);
+      even += term(load<Floats>(w), first[b]);
+      odd += term(load<Floats>(w + lanes), first[b + 1]);
     }
-    if (b < end) even += product(w, x + first[b]);
-    const Doubles total = even + odd;
-    return ((total[0] + total[4]) + (total[1] + total[5])) + ((total[2] + total[6]) + (total[3] + total[7]));
+    if (b < end) even += term(load<Floats>(w), first[b]);
+    return sum_of_lanes<Lanes>(even + odd);
   }
 
-  /// Calls visit(column, weight) for the entries of row i that are not zero, in ascending order.
+  /// sum_j weight_ij x_j.
+  float product(int i, const float* x) const {
+    return sum<Floats>(i, [x](const Floats& w, int column) { return w * load<Floats>(x + column); });
+  }
+
+  /// Calls visit(column, weight) for the weights of row i that are not zero, in ascending order.
   template <typename Visit>
   void each(int i, Visit&& visit) const {
-    const int width = std::min(lanes, size());
     for (std::int64_t b = rows.begin(i); b < rows.end(i); ++b)
-      for (int k = 0; k < width; ++k)
+      for (int k = 0; k < lanes; ++k)
         if (weight[b * lanes + k] != 0) visit(first[b] + k, weight[b * lanes + k]);
+  }
+};
+
+/// Symmetric M-matrix: (A x)_i = own_i x_i + sum_j weight_ij (x_i - x_j) with weight_ij = weight_ji >= 0.
+/// Weights are in single precision (both halves of a pair round to the same value), the rest in double.
+struct Matrix : BlockRows {
+  std::vector<double> own;       ///< of each row alone: compressibility, neighbours at the free surface
+  std::vector<double> diagonal;  ///< own_i + sum_j weight_ij
+
+  int size() const { return static_cast<int>(diagonal.size()); }
+
+  double times(int i, const double* x) const {
+    const auto term = [x](const Floats& w, int column) {
+      return __builtin_convertvector(w, Doubles) * load<Doubles>(x + column);
+    };
+    return diagonal[i] * x[i] - sum<Doubles>(i, term);
+  }
+
+  /// The same of a vector in single precision. Differences of neighbours are exact: what is rounded is as
+  /// large as a gradient, not as the values.
+  double times(int i, const float* x) const {
+    const Floats here = x[i] - Floats{};
+    const auto term = [x, here](const Floats& w, int column) {
+      return w * (here - load<Floats>(x + column));
+    };
+    return own[i] * static_cast<double>(x[i]) + static_cast<double>(sum<Floats>(i, term));
   }
 
   /// Entries that are not zero.
@@ -61,24 +123,6 @@ struct Matrix {
     for (int i = 0; i < size(); ++i) each(i, [&](int, float) { ++count; });
     return count;
   }
-
- private:
-  static Doubles product(const float* weights, const double* x) {
-    Floats w;
-    Doubles values;
-    std::memcpy(&w, weights, sizeof w);
-    std::memcpy(&values, x, sizeof values);
-    return __builtin_convertvector(w, Doubles) * values;
-  }
-
-  double sum_few(int i, const double* x) const {
-    double total = 0;
-    each(i, [&](int column, float w) { total += static_cast<double>(w) * x[column]; });
-    return total;
-  }
 };
-
-/// y = A x.
-void multiply(const Matrix& A, const std::vector<double>& x, std::vector<double>& y);
 
 }  // namespace cosurge::fluid

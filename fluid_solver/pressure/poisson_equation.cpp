@@ -102,6 +102,7 @@ void PoissonEquation<dim>::assemble(const Particles<dim>& particles, const CellG
   const double scale = reference_.lambda0 * reference_.n0 / (2 * dim);
   const double stiffness = scale * parameters_.compressibility * parameters_.density / (dt * dt);
   const Assembly assembly{.particles = particles, .grid = grid, .areas = areas, .reach = reach};
+  A_.own.resize(place_.size());
   A_.diagonal.resize(place_.size());
   wall_.resize(place_.size());
   deviation_.resize(place_.size());
@@ -109,17 +110,15 @@ void PoissonEquation<dim>::assemble(const Particles<dim>& particles, const CellG
     const Row row = fill_row(assembly, k, begin);
     double weights = 0;
     for (int lane = 0; lane < Matrix::lanes; ++lane) weights += row.weights[lane];
-    A_.diagonal[k] = stiffness + row.diagonal + weights;
+    A_.own[k] = stiffness + row.diagonal;
+    A_.diagonal[k] = A_.own[k] + weights;
     wall_[k] = row.wall;
     double smooth = 1 + row.others;
     for (int lane = 0; lane < Matrix::lanes; ++lane) smooth += static_cast<double>(row.smooth[lane]);
     deviation_[k] = row.diagonal > 0 ? std::nan("") : smooth / reference_.smooth0 - 1;
     return row.end - begin;
   };
-  const auto room = [&](std::int64_t blocks) {
-    A_.first.resize(static_cast<std::size_t>(blocks));
-    A_.weight.resize(static_cast<std::size_t>(blocks) * Matrix::lanes);
-  };
+  const auto room = [&](std::int64_t blocks) { A_.make_room(blocks); };
   A_.rows.fill(static_cast<int>(place_.size()), expected_blocks(dim),
                most_entries(dim) / Matrix::lanes + cells_.lines_per_cell, room, fill);
 }
@@ -184,17 +183,19 @@ void PoissonEquation<dim>::weigh(const Vec<dim>& x_i, int first, int count, floa
 
 template <int dim>
 void PoissonEquation<dim>::append_blocks(int first, int count, const float* weights, Row& row) {
-  const int room = std::max(0, A_.size() - Matrix::lanes);  // no block begins later: none goes over the end
   std::uint64_t left = 0;  // columns that are not zero, and not yet in a block
   for (int k = 0; k < count; k += Matrix::lanes) left |= std::uint64_t{not_zero(weights + k)} << k;
   while (left != 0) {
     const int from = std::countr_zero(left);
-    const int shift = std::max(0, first + from - room);
-    Floats block{};
-    std::memcpy(reinterpret_cast<float*>(&block) + shift, weights + from,
-                static_cast<std::size_t>(Matrix::lanes - shift) * sizeof(float));
+    const int column = Matrix::block_of(first + from, A_.size());
+    auto block = load<Floats>(weights + from);
+    if (const int shift = first + from - column; shift > 0) {
+      std::array<float, 2 * Matrix::lanes> shifted{};
+      std::copy_n(weights + from, Matrix::lanes - shift, shifted.begin() + shift);
+      block = load<Floats>(shifted.data());
+    }
     std::memcpy(A_.weight.data() + row.end * Matrix::lanes, &block, sizeof block);
-    A_.first[row.end++] = first + from - shift;
+    A_.first[row.end++] = column;
     row.weights += __builtin_convertvector(block, Doubles);
     row.smooth += smooth_share(block);
     left &= ~(std::uint64_t{(1U << Matrix::lanes) - 1} << from);

@@ -102,9 +102,9 @@ TEST_P(ConjugateGradient, GivesTheSameBitsForAnyNumberOfThreads) {
 
 /// M x.
 Vector applied(Preconditioner& M, const Vector& x) {
-  Vector z(x.size());
+  std::vector<float> z(x.size());
   M.apply(x, z);
-  return z;
+  return {z.begin(), z.end()};
 }
 
 TEST_P(ConjugateGradient, ThePreconditionerIsSymmetricAndPositive) {

@@ -171,7 +171,7 @@ double hydrostatic_residual(const Tank<dim>& tank, double depth, int& rows, Chos
   std::vector<double> p, Ap(static_cast<std::size_t>(A.size()));
   for (const std::int32_t i : tank.equation.unknowns())
     p.push_back(rho * g * (depth - 0.5 * l0 - particles.x[i][dim - 1]));
-  multiply(A, p, Ap);
+  for (int k = 0; k < A.size(); ++k) Ap[k] = A.times(k, p.data());
   double worst = 0;
   rows = 0;
   for (int k = 0; k < A.size(); ++k) {
