@@ -6,8 +6,8 @@ Usage: benchmarks/fluid_accuracy.py TABLE [--threads N] [--csv FILE]
 TABLE is one of
   hydrostatic  water at rest for 5 s: pressure on the walls, kinetic energy, drift of the level, density at the floor
   noise        dam break on a rigid plate, 2 mm: noise of the pressure on it for each source and window
-  convergence  dam break on a rigid plate, 8, 4, 2 and 1 mm: arrival of the front and impulse on the plate
-  wave         standing wave in a tank of 1 m x 0.5 m of water, 1/40 to 1/160 m: period and decay
+  convergence  dam break on a rigid plate, 8, 4, 2 and 1 mm: arrival of the front and impulse on the plate, with observed orders
+  wave         standing wave in a tank of 1 m x 0.5 m of water, 1/40 to 1/320 m: period and decay, with observed orders
   soft         dam break on a rigid plate, 2 mm: what the soft water of public codes gains and costs
 
 Runs build/release/bin/cosurge. Finished runs are kept in build/accuracy and not repeated.
@@ -155,7 +155,7 @@ def observed_order(values):
     if len(values) < 3:
         return np.nan
     coarse, middle, fine = values[-3:]
-    return np.log2(abs(coarse - middle) / abs(middle - fine))
+    return np.log2(abs(coarse - middle) / abs(middle - fine)) if middle != fine else np.nan
 
 
 def damped_wave(time, height):
@@ -168,7 +168,8 @@ def damped_wave(time, height):
 
 def wave(threads):
     for source, gradient in SOURCES:
-        for spacing in (0.025, 0.0125, 0.00625):
+        rows = []
+        for spacing in (0.025, 0.0125, 0.00625, 0.003125):
             settings = {"fluid.source": source, "fluid.gradient": gradient, "fluid.spacing": spacing,
                         "fluid.tank.max": "[1.0, 0.8]", "time.window": spacing / 12.5}
             folder, summary = run("standing_wave", settings, threads)
@@ -181,6 +182,8 @@ def wave(threads):
                 row |= {"period_s": period, "period_error": period / THEORY - 1, "decay_per_s": decay,
                         "level_drift": weight[-len(weight) // 10:].mean() / weight[0] - 1,
                         "core_s": core_seconds(summary)}
+            rows.append(row)
+            row["order_period_s"] = observed_order([one.get("period_s", np.nan) for one in rows])
             yield row
 
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "common/ordered_sum.hpp"
 #include "common/vec.hpp"
 
 namespace cosurge::fluid {
@@ -59,7 +60,9 @@ struct Particles {
   template <typename T>
   static void pick(std::vector<T>& values, const std::vector<std::int32_t>& order) {
     std::vector<T> picked(order.size());
-    for (std::size_t k = 0; k < order.size(); ++k) picked[k] = values[static_cast<std::size_t>(order[k])];
+    const int count = static_cast<int>(order.size());
+#pragma omp parallel for schedule(static) if (count >= parallel_from)
+    for (int k = 0; k < count; ++k) picked[k] = values[order[k]];
     values.swap(picked);
   }
 };
