@@ -216,7 +216,9 @@ void check_scene(const v1::Case& c, CaseErrors& errors) {
   }
   if (c.solid().has_spacing() && !body_boxes(c.solid()).empty())
     check_spacing("solid.spacing", c.solid().spacing(), body_boxes(c.solid()), errors);
-  if (errors.lines.size() == before) check_outlined_bodies(c, errors);
+  if (errors.lines.size() != before) return;
+  check_outlined_bodies(c, errors);
+  if (c.has_fluid()) check_obstacles(c, errors);
 }
 
 void check_fluid(const v1::Case& c, CaseErrors& errors) {

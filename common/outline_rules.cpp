@@ -87,6 +87,19 @@ double sites_around(const v1::Body& body, double spacing) {
   return ((bounds.max - bounds.min) / spacing + Vec<dim>::Constant(2)).prod();
 }
 
+constexpr double most_sites = 1e8;  // no memory holds more
+
+double sites_around(const v1::Body& body, int dimension, double spacing) {
+  return dimension == 2 ? sites_around<2>(body, spacing) : sites_around<3>(body, spacing);
+}
+
+template <int dim>
+bool share_sites(const v1::Body& body, const v1::Shape& obstacle, double spacing) {
+  const Shape<dim> shape(obstacle);
+  const std::vector<Vec<dim>> sites = BodySites<dim>(body, spacing).all();
+  return std::any_of(sites.begin(), sites.end(), [&](const Vec<dim>& x) { return shape.contains(x); });
+}
+
 }  // namespace
 
 std::string body_key(const v1::Solid& solid, int body) {
@@ -110,20 +123,32 @@ void check_outlined_bodies(const v1::Case& c, CaseErrors& errors) {
   std::set<double> spacings;
   if (c.has_fluid()) spacings.insert(c.fluid().spacing());
   if (solid.has_spacing()) spacings.insert(solid.spacing());
-  constexpr double most = 1e8;  // no memory holds more
   for (const double spacing : spacings) {
     for (int i = 0; i < solid.body_size(); ++i) {
-      const double sites = c.dimension() == 2 ? sites_around<2>(solid.body(i), spacing)
-                                              : sites_around<3>(solid.body(i), spacing);
-      if (!(sites < most))
+      const double sites = sites_around(solid.body(i), c.dimension(), spacing);
+      if (!(sites < most_sites))
         return errors.add(body_key(solid, i),
                           fmt::format("has {:.3g} sites around it with a spacing of {} m, must be < {:.0e}",
-                                      sites, spacing, most));
+                                      sites, spacing, most_sites));
     }
     if (c.dimension() == 2)
       check_sites<2>(solid, spacing, errors);
     else
       check_sites<3>(solid, spacing, errors);
+  }
+}
+
+void check_obstacles(const v1::Case& c, CaseErrors& errors) {
+  const v1::Solid& solid = c.solid();
+  const double spacing = c.fluid().spacing();
+  for (int i = 0; i < solid.body_size(); ++i) {
+    for (int j = 0; j < c.fluid().obstacle_size(); ++j) {
+      const v1::Shape& obstacle = c.fluid().obstacle(j).shape();
+      if (!(sites_around(solid.body(i), c.dimension(), spacing) < most_sites)) continue;
+      if (c.dimension() == 2 ? share_sites<2>(solid.body(i), obstacle, spacing)
+                             : share_sites<3>(solid.body(i), obstacle, spacing))
+        errors.add(body_key(solid, i), fmt::format("overlaps fluid.obstacle.{}.shape", j));
+    }
   }
 }
 

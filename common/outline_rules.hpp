@@ -18,4 +18,7 @@ std::string not_closed(const v1::Shape& outline, int dimension);
 /// Bodies with an outline have sites, in one piece, and none that another body has.
 void check_outlined_bodies(const v1::Case& the_case, CaseErrors& errors);
 
+/// No obstacle, where it is at the start, has a site of a body, whatever the shapes of both.
+void check_obstacles(const v1::Case& the_case, CaseErrors& errors);
+
 }  // namespace cosurge

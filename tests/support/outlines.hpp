@@ -54,11 +54,28 @@ inline v1::Shape tetrahedron(double size, const Vec<3>& shift) {
   return outline<3>({o, y, x, o, x, z, o, z, y, x, y, z});
 }
 
+/// A polygon in the plane of x and y, counterclockwise, from z = 0 to `depth`. From its corner `fan` the
+/// others are seen.
+inline v1::Shape extruded(const std::vector<Vec<2>>& corners, double depth, std::size_t fan = 0) {
+  std::vector<Vec<3>> all;
+  const auto add = [&](std::size_t k, double z) {
+    const Vec<2>& x = corners[k % corners.size()];
+    all.emplace_back(x[0], x[1], z);
+  };
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    for (const auto& [corner, z] :
+         {std::pair(k, 0.0), {k + 1, 0.0}, {k + 1, depth}, {k, 0.0}, {k + 1, depth}, {k, depth}})
+      add(corner, z);
+    if (k == 0 || k + 1 == corners.size()) continue;
+    for (const std::size_t corner : {fan, fan + k + 1, fan + k}) add(corner, 0);
+    for (const std::size_t corner : {fan, fan + k, fan + k + 1}) add(corner, depth);
+  }
+  return outline<3>(all);
+}
+
 /// A triangle in the plane of x and y, (0, 0), (width, 0), (0, height), from z = 0 to `depth`.
 inline v1::Shape prism(double width, double height, double depth) {
-  const Vec<3> up(0, 0, depth), a(0, 0, 0), b(width, 0, 0), c(0, height, 0), A = a + up, B = b + up,
-                                                                             C = c + up;
-  return outline<3>({a, c, b, A, B, C, a, b, B, a, B, A, b, c, C, b, C, B, c, a, A, c, A, C});
+  return extruded({{0, 0}, {width, 0}, {0, height}}, depth);
 }
 
 /// Points of a fluid on the sites of a body, with the areas of the faces of cells that nothing covers.

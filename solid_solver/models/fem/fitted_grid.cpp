@@ -1,51 +1,25 @@
 #include "solid_solver/models/fem/fitted_grid.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
+#include <set>
 
 #include "common/error.hpp"
-#include "solid_solver/models/fem/outline_corners.hpp"
+#include "solid_solver/models/fem/cell_grid.hpp"
+#include "solid_solver/models/fem/outline_features.hpp"
 #include "solid_solver/shape_moments.hpp"
 
 namespace cosurge::fem {
 namespace {
 
-constexpr double rounding = 1e-6;  // of a side: 0.0800000001 m of elements of 0.02 m are four
-constexpr double most_elements = 1e6;
 constexpr int sweeps = 30;          // of the smoothing: moves go about as many cells far as they are rows
 constexpr double most_bent = 0.2;   // of an edge: how far its middle may be off
 constexpr double flattest = 0.002;  // least determinant of an element's Jacobian, over the even cell's
 constexpr double most_lost = 0.02;  // of the volume
 constexpr int most_halvings = 12;   // of the way of a vertex
-constexpr double alike = 1e-3;      // principal moments that differ by less have no axes
-
-template <int dim>
-using Index = Eigen::Matrix<Eigen::Index, dim, 1>;
-
-/// Axes of the grid: those of the shape's moments in the order of the coordinates they are closest to.
-template <int dim>
-Mat<dim> principal_axes(const Mat<dim>& second) {
-  const Eigen::SelfAdjointEigenSolver<Mat<dim>> solver(second);
-  const Vec<dim> values = solver.eigenvalues();
-  for (int k = 0; k + 1 < dim; ++k)
-    if (values[k + 1] - values[k] < alike * values[dim - 1]) return Mat<dim>::Identity();
-  Mat<dim> axes = Mat<dim>::Zero(), left = solver.eigenvectors();
-  for (int k = 0; k < dim; ++k) {
-    Eigen::Index nearest = 0;
-    left.row(k).cwiseAbs().maxCoeff(&nearest);
-    axes.col(k) = left.col(nearest) * (left(k, nearest) < 0 ? -1 : 1);
-    left.col(nearest).setZero();
-  }
-  return axes.determinant() > 0 ? axes : Mat<dim>::Identity();
-}
-
-template <int dim>
-bool is_vertex(const Index<dim>& node) {
-  for (int k = 0; k < dim; ++k)
-    if (node[k] % 2 == 1) return false;
-  return true;
-}
+constexpr double alike = 1e-6;      // of a side: distances that differ by rounding
+constexpr double flat_way = 1.5;  // times as long is a way for a crease that is no edge of the grid's surface
+constexpr Eigen::Index none = -1;
 
 /// Of an element, by its Gauss points.
 struct Quality {
@@ -64,189 +38,250 @@ Quality quality_of(const Eigen::Matrix<double, dim, QuadraticElement<dim>::nodes
   return quality;
 }
 
-/// The grid of cells and, with twice as many intervals, of nodes.
+/// Brings the nodes of a grid to an outline.
 template <int dim>
 class Fitting {
  public:
-  Fitting(const Shape<dim>& shape, double longest, int body) : shape_(shape), body_(body) {
-    lay_out(longest);
-    choose_cells();
-    number_nodes();
-    if (shape_.is_box()) return;
-    fit();
-  }
-
-  const Vec<dim>& side() const { return side_; }
-
-  Field positions() const {
-    Field position(dim, static_cast<Eigen::Index>(used_.size()));
-    for (std::size_t n = 0; n < used_.size(); ++n)
-      position.col(static_cast<Eigen::Index>(n)) = x_[static_cast<std::size_t>(used_[n])];
-    return position;
-  }
-
-  std::vector<std::array<Eigen::Index, QuadraticElement<dim>::nodes>> elements() const {
-    std::vector<std::array<Eigen::Index, QuadraticElement<dim>::nodes>> all;
-    for (Eigen::Index c = 0; c < cells_.prod(); ++c) {
-      if (!kept_[static_cast<std::size_t>(c)]) continue;
-      auto& nodes = all.emplace_back();
-      const Index<dim> corner = 2 * split(c, cells_);
-      for (int a = 0; a < QuadraticElement<dim>::nodes; ++a) {
-        const Index<dim> at = corner + QuadraticElement<dim>::place(a).template cast<Eigen::Index>();
-        nodes[static_cast<std::size_t>(a)] = number_[static_cast<std::size_t>(join(at, grid_))];
-      }
+  Fitting(const Shape<dim>& shape, const CellGrid<dim>& grid)
+      : grid_(grid),
+        features_(shape),
+        x_(grid.positions()),
+        fixed_(x_.size(), 0),
+        loose_(fixed_),
+        patch_(x_.size(), none) {
+    pin_corners();
+    pin_creases();
+    share_out_patches();
+    smooth();
+    for (int halving = 0; halving < most_halvings; ++halving) {
+      for (int odd = 1; odd <= dim; ++odd) place_middles(odd);
+      if (!loosen()) return;
     }
-    return all;
   }
+
+  const std::vector<Vec<dim>>& positions() const { return x_; }
 
  private:
-  static Eigen::Index join(const Index<dim>& k, const Index<dim>& counts) {
-    if ((k.array() < 0).any() || (k.array() >= counts.array()).any()) return -1;
-    Eigen::Index all = 0;
-    for (int axis = dim - 1; axis >= 0; --axis) all = all * counts[axis] + k[axis];
-    return all;
-  }
-  static Index<dim> split(Eigen::Index all, const Index<dim>& counts) {
-    Index<dim> k;
-    for (int axis = 0; axis < dim; all /= counts[axis], ++axis) k[axis] = all % counts[axis];
-    return k;
-  }
+  using Index = typename CellGrid<dim>::Index;
 
-  void lay_out(double longest);
-  void choose_cells();
-  void number_nodes();
-  int kept_around(const Index<dim>& node, int* all) const;
-  void fit();
+  /// Another vertex, and the middle of the edge of elements between.
+  struct Neighbour {
+    Eigen::Index middle, vertex;
+  };
+  std::vector<Neighbour> neighbours(Eigen::Index vertex) const;
+  bool outer_vertex(Eigen::Index n) const { return grid_.outer(n) && grid_.vertex(n); }
+  Vec<dim>& x(Eigen::Index n) { return x_[static_cast<std::size_t>(n)]; }
+  char& fixed(Eigen::Index n) { return fixed_[static_cast<std::size_t>(n)]; }
+  Eigen::Index& patch(Eigen::Index n) { return patch_[static_cast<std::size_t>(n)]; }
+
   void pin_corners();
+  void pin_creases();
+  std::vector<Neighbour> way_along(const Crease& crease);
+  void share_out_patches();
+  Eigen::Index nearest_patch(const std::vector<Eigen::Index>& nodes);
   void smooth();
+  /// Where a middle belongs by the element's polynomial, and what is around it.
+  struct Middle {
+    Vec<dim> x = Vec<dim>::Zero();
+    double length = std::numeric_limits<double>::infinity();  // of the shortest edge through it
+    bool loose = false;
+    Eigen::Index patch = none;
+  };
+  Middle middle_at(const Index& at) const;
   void place_middles(int odd);
   bool loosen();
-  Vec<dim> even(Eigen::Index node) const {
-    const Vec<dim> y = origin_ + 0.5 * side_.cwiseProduct(split(node, grid_).template cast<double>());
-    return shape_.is_box() ? y : Vec<dim>(axes_ * y);
-  }
 
-  const Shape<dim>& shape_;
-  int body_;
-  Mat<dim> axes_ = Mat<dim>::Identity();
-  Vec<dim> origin_, side_;
-  Index<dim> cells_, grid_;  // number along each axis
-  std::vector<char> kept_;
-  std::vector<Eigen::Index> used_, number_;  // nodes of the grid, and back
-  std::vector<char> outer_;                  // of all nodes of the grid
-  std::vector<Vec<dim>> x_;                  // of these
-  std::vector<Eigen::Index> pinned_;
-  std::vector<char> loose_;  // vertices that are not where they would fit
+  const CellGrid<dim>& grid_;
+  OutlineFeatures<dim> features_;
+  std::vector<Vec<dim>> x_;           // of the nodes
+  std::vector<char> fixed_;           // corners, and what lies on creases
+  std::vector<char> loose_;           // vertices that are not where they would fit
+  std::vector<Eigen::Index> patch_;   // of outer vertices
+  std::vector<Eigen::Index> pinned_;  // vertex of each corner
 };
 
 template <int dim>
-void Fitting<dim>::lay_out(double longest) {
-  Vec<dim> low = shape_.bounds().min, high = shape_.bounds().max;
-  double thickness = (high - low).minCoeff();
-  if (!shape_.is_box()) {
-    const ShapeMoments<dim> moments(shape_);
-    axes_ = principal_axes<dim>(moments.second);
-    thickness = 2 * moments.volume / moments.surface;
-    low.setConstant(std::numeric_limits<double>::infinity());
-    high = -low;
-    for (const auto& facet : shape_.facets()) {
-      for (const Vec<dim>& corner : facet) {
-        low = low.cwiseMin(axes_.transpose() * corner);
-        high = high.cwiseMax(axes_.transpose() * corner);
+std::vector<typename Fitting<dim>::Neighbour> Fitting<dim>::neighbours(Eigen::Index vertex) const {
+  std::vector<Neighbour> all;
+  const Index at = grid_.at(vertex);
+  for (int way = 0; way < 2 * dim; ++way) {
+    const Index step = (way % 2 * 2 - 1) * Index::Unit(way / 2);
+    const Eigen::Index middle = grid_.node(at + step);
+    if (middle >= 0) all.push_back({middle, grid_.node(at + 2 * step)});
+  }
+  return all;
+}
+
+/// The nearest outer vertex of the grid goes to each corner of the outline.
+template <int dim>
+void Fitting<dim>::pin_corners() {
+  const double margin = alike * grid_.side().minCoeff();
+  for (const Vec<dim>& corner : features_.corners) {
+    Eigen::Index nearest = none;
+    for (Eigen::Index n = 0; n < grid_.nodes(); ++n) {
+      if (!outer_vertex(n) || fixed(n)) continue;
+      if (nearest < 0 || (x(n) - corner).norm() < (x(nearest) - corner).norm() - margin) nearest = n;
+    }
+    pinned_.push_back(nearest);
+    if (nearest < 0) continue;
+    x(nearest) = corner;
+    fixed(nearest) = 1;
+  }
+}
+
+/// The vertices of a way over the grid's surface from corner to corner share out a crease.
+template <int dim>
+void Fitting<dim>::pin_creases() {
+  if constexpr (dim == 3) {
+    for (const Crease& crease : features_.creases) {
+      const std::vector<Neighbour> way = way_along(crease);
+      std::vector<double> lengths = {0};
+      Eigen::Index from = pinned_[crease.ends[0]];
+      for (const Neighbour& next : way) {
+        lengths.push_back(lengths.back() + (grid_.position(next.vertex) - grid_.position(from)).norm());
+        from = next.vertex;
+      }
+      for (std::size_t k = 0; k < way.size(); ++k) {
+        x(way[k].middle) = crease.at(0.5 * (lengths[k] + lengths[k + 1]) / lengths.back());
+        fixed(way[k].middle) = 1;
+        if (k + 1 < way.size()) x(way[k].vertex) = crease.at(lengths[k + 1] / lengths.back());
+        fixed(way[k].vertex) = 1;
       }
     }
   }
-  if (longest == 0) longest = thickness / 3;
-  const Vec<dim> sides = high - low;
-  const Vec<dim> counts = ((sides / longest).array().max(rounding) - rounding).ceil().max(1);
-  require(counts.prod() <= most_elements,
-          "solid.fem.element = {:.3g} m makes {:.3g} elements of solid.body.{}, more than {:.0g}", longest,
-          counts.prod(), body_, most_elements);
-  cells_ = counts.template cast<Eigen::Index>();
-  grid_ = 2 * cells_ + Index<dim>::Ones();
-  side_ = sides.array() / counts.array();
-  origin_ = low;
 }
 
+/// The shortest way over the grid's surface between the vertices of a crease's ends, through vertices that
+/// are free (Dijkstra 1959). Ways are longer away from the crease, and where the surface has no edge.
 template <int dim>
-void Fitting<dim>::choose_cells() {
-  kept_.assign(static_cast<std::size_t>(cells_.prod()), 1);
-  if (shape_.is_box()) return;
-  for (Eigen::Index c = 0; c < cells_.prod(); ++c) {
-    const Vec<dim> middle =
-        origin_ + ((split(c, cells_).template cast<double>().array() + 0.5) * side_.array()).matrix();
-    kept_[static_cast<std::size_t>(c)] = shape_.contains(axes_ * middle) ? 1 : 0;
+std::vector<typename Fitting<dim>::Neighbour> Fitting<dim>::way_along(const Crease& crease) {
+  const Eigen::Index start = pinned_[crease.ends[0]], goal = pinned_[crease.ends[1]];
+  std::vector<Neighbour> way;
+  if (start < 0 || goal < 0) return way;
+  constexpr double far = std::numeric_limits<double>::infinity();
+  std::vector<double> length(x_.size(), far);
+  std::vector<Neighbour> reached(x_.size());  // the middle before, and the vertex before that
+  std::set<std::pair<double, Eigen::Index>> open = {{0, start}};
+  length[static_cast<std::size_t>(start)] = 0;
+  while (!open.empty() && open.begin()->second != goal) {
+    const auto [so_far, n] = *open.begin();
+    open.erase(open.begin());
+    for (const Neighbour& next : neighbours(n)) {
+      if (!grid_.outer(next.middle) || (fixed(next.vertex) && next.vertex != goal)) continue;
+      if (fixed(next.middle)) continue;
+      const double side = (grid_.position(next.vertex) - grid_.position(n)).norm();
+      const double off = next.vertex == goal ? 0 : crease.distance(grid_.position(next.vertex)) / side;
+      const bool edge = grid_.around(grid_.at(next.middle)).kept != 2;
+      const double there = so_far + side * (edge ? 1 : flat_way) * (1 + off * off);
+      double& best = length[static_cast<std::size_t>(next.vertex)];
+      if (there >= best) continue;
+      open.erase({best, next.vertex});
+      open.insert({best = there, next.vertex});
+      reached[static_cast<std::size_t>(next.vertex)] = {next.middle, n};
+    }
   }
-  std::vector<char> left = kept_;
-  int parts = 0;
-  for (Eigen::Index start = 0; start < cells_.prod(); ++start) {
-    if (!left[static_cast<std::size_t>(start)]) continue;
-    ++parts;
-    std::vector<Eigen::Index> open = {start};
-    left[static_cast<std::size_t>(start)] = 0;
-    while (!open.empty()) {
-      const Index<dim> k = split(open.back(), cells_);
-      open.pop_back();
-      for (int way = 0; way < 2 * dim; ++way) {
-        const Eigen::Index next = join(k + (way % 2 * 2 - 1) * Index<dim>::Unit(way / 2), cells_);
-        if (next < 0 || !left[static_cast<std::size_t>(next)]) continue;
-        left[static_cast<std::size_t>(next)] = 0;
-        open.push_back(next);
+  if (length[static_cast<std::size_t>(goal)] == far) return way;
+  for (Eigen::Index n = goal; n != start;) {
+    const auto [middle, before] = reached[static_cast<std::size_t>(n)];
+    way.push_back({middle, n});
+    n = before;
+  }
+  std::reverse(way.begin(), way.end());
+  return way;
+}
+
+/// Outer vertices that hang together between creases belong to the patch that they are nearest to, all
+/// together.
+template <int dim>
+void Fitting<dim>::share_out_patches() {
+  std::vector<char> seen = fixed_;
+  for (Eigen::Index n = 0; n < grid_.nodes(); ++n) {
+    if (!outer_vertex(n) || seen[static_cast<std::size_t>(n)]) continue;
+    std::vector<Eigen::Index> part = {n};
+    seen[static_cast<std::size_t>(n)] = 1;
+    for (std::size_t k = 0; k < part.size(); ++k) {
+      for (const Neighbour& next : neighbours(part[k])) {
+        if (!grid_.outer(next.middle) || seen[static_cast<std::size_t>(next.vertex)]) continue;
+        seen[static_cast<std::size_t>(next.vertex)] = 1;
+        part.push_back(next.vertex);
       }
     }
+    const Eigen::Index nearest = nearest_patch(part);
+    for (const Eigen::Index vertex : part) patch(vertex) = nearest;
   }
-  require(parts == 1,
-          "solid.body.{}: elements of {:.3g} m fall into {} parts; make solid.fem.element shorter", body_,
-          side_.maxCoeff(), parts);
 }
 
-/// Cells around a node that are kept, and of how many.
 template <int dim>
-int Fitting<dim>::kept_around(const Index<dim>& node, int* all) const {
-  int kept = 0;
-  *all = 0;
-  for (int choice = 0; choice < 1 << dim; ++choice) {
-    Index<dim> cell;
-    bool twice = false;  // an odd coordinate has one cell, not two
-    for (int axis = 0; axis < dim; ++axis) {
-      const bool odd = node[axis] % 2 == 1, lower = (choice >> axis & 1) != 0;
-      twice = twice || (odd && lower);
-      cell[axis] = node[axis] / 2 - (!odd && lower ? 1 : 0);
+Eigen::Index Fitting<dim>::nearest_patch(const std::vector<Eigen::Index>& nodes) {
+  std::vector<double> off(features_.patches.size(), 0);
+  for (std::size_t p = 0; p < off.size() && off.size() > 1; ++p)
+    for (const Eigen::Index n : nodes) off[p] += (features_.patches[p].nearest(x(n)) - x(n)).squaredNorm();
+  return std::min_element(off.begin(), off.end()) - off.begin();
+}
+
+/// Vertices go to the mean of those that an edge of an element joins them to: outer ones along their patch.
+template <int dim>
+void Fitting<dim>::smooth() {
+  std::vector<std::pair<Eigen::Index, std::vector<Eigen::Index>>> moves;
+  for (Eigen::Index n = 0; n < grid_.nodes(); ++n) {
+    if (!grid_.vertex(n) || fixed(n)) continue;
+    auto& around = moves.emplace_back(n, std::vector<Eigen::Index>{}).second;
+    for (const Neighbour& next : neighbours(n))
+      if (!grid_.outer(n) || grid_.outer(next.middle)) around.push_back(next.vertex);
+  }
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    std::vector<Vec<dim>> moved = x_;
+    for (const auto& [vertex, around] : moves) {
+      Vec<dim> mean = Vec<dim>::Zero();
+      for (const Eigen::Index other : around) mean += x(other) / static_cast<double>(around.size());
+      moved[static_cast<std::size_t>(vertex)] =
+          grid_.outer(vertex) ? features_.patches[static_cast<std::size_t>(patch(vertex))].nearest(mean)
+                              : mean;
     }
-    if (twice) continue;
-    ++*all;
-    const Eigen::Index c = join(cell, cells_);
-    kept += c >= 0 && kept_[static_cast<std::size_t>(c)] ? 1 : 0;
-  }
-  return kept;
-}
-
-template <int dim>
-void Fitting<dim>::number_nodes() {
-  const auto total = static_cast<std::size_t>(grid_.prod());
-  number_.assign(total, -1);
-  outer_.assign(total, 0);
-  x_.resize(total);
-  for (std::size_t n = 0; n < total; ++n) {
-    const Index<dim> at = split(static_cast<Eigen::Index>(n), grid_);
-    int all = 0;
-    const int kept = kept_around(at, &all);
-    if (kept == 0) continue;
-    number_[n] = static_cast<Eigen::Index>(used_.size());
-    used_.push_back(static_cast<Eigen::Index>(n));
-    outer_[n] = kept < all ? 1 : 0;
-    x_[n] = even(static_cast<Eigen::Index>(n));
+    x_ = moved;
   }
 }
 
+/// From the nodes around it on its edge, face or cell; all ways to step off along some of the odd axes: -1,
+/// 0, 1 on each, not all 0.
 template <int dim>
-void Fitting<dim>::fit() {
-  pin_corners();
-  smooth();
-  loose_.assign(x_.size(), 0);
-  for (int halving = 0; halving < most_halvings; ++halving) {
-    for (int odd = 1; odd <= dim; ++odd) place_middles(odd);
-    if (!loosen()) return;
+typename Fitting<dim>::Middle Fitting<dim>::middle_at(const Index& at) const {
+  Middle middle;
+  for (int a = 0; a < QuadraticElement<dim>::nodes; ++a) {
+    const Index step = QuadraticElement<dim>::place(a).template cast<Eigen::Index>() - Index::Ones();
+    double share = -1;
+    bool along = true;
+    for (int k = 0; k < dim; ++k) {
+      if (step[k] != 0) share *= -0.5;
+      along = along && (step[k] == 0 || at[k] % 2 == 1);
+    }
+    if (!along || step.isZero()) continue;
+    const auto one = static_cast<std::size_t>(grid_.node(at + step)),
+               other = static_cast<std::size_t>(grid_.node(at - step));
+    middle.x += share * x_[one];
+    middle.length = std::min(middle.length, (x_[one] - x_[other]).norm());
+    middle.loose = middle.loose || loose_[one];
+    middle.patch = std::max(middle.patch, patch_[one]);
+  }
+  return middle;
+}
+
+/// Middles of edges (odd = 1), faces and cells: where the element's own polynomial has them, outer ones on
+/// their patch.
+template <int dim>
+void Fitting<dim>::place_middles(int odd) {
+  for (Eigen::Index n = 0; n < grid_.nodes(); ++n) {
+    const Index at = grid_.at(n);
+    int odds = 0;
+    for (int k = 0; k < dim; ++k) odds += static_cast<int>(at[k] % 2);
+    if (odds != odd) continue;
+    const Middle middle = middle_at(at);
+    if (fixed(n) && !middle.loose) continue;
+    x(n) = middle.x;
+    if (middle.loose || !grid_.outer(n)) continue;
+    const Eigen::Index own = middle.patch < 0 ? nearest_patch({n}) : middle.patch;
+    const Vec<dim> on = features_.patches[static_cast<std::size_t>(own)].nearest(middle.x);
+    if ((on - middle.x).norm() <= most_bent * middle.length) x(n) = on;
   }
 }
 
@@ -254,117 +289,33 @@ void Fitting<dim>::fit() {
 template <int dim>
 bool Fitting<dim>::loosen() {
   std::vector<char> flat(x_.size(), 0);
-  const auto elements_now = elements();
-  const Field position = positions();
-  for (const auto& nodes : elements_now) {
+  for (const auto& nodes : grid_.elements()) {
     Eigen::Matrix<double, dim, QuadraticElement<dim>::nodes> corners;
-    for (int a = 0; a < corners.cols(); ++a)
-      corners.col(a) = position.col(nodes[static_cast<std::size_t>(a)]);
-    if (quality_of<dim>(corners).least_jacobian > flattest * side_.prod() / (1 << dim)) continue;
-    for (const Eigen::Index node : nodes)
-      flat[static_cast<std::size_t>(used_[static_cast<std::size_t>(node)])] = 1;
+    for (int a = 0; a < corners.cols(); ++a) corners.col(a) = x(nodes[static_cast<std::size_t>(a)]);
+    if (quality_of<dim>(corners).least_jacobian > flattest * grid_.side().prod() / (1 << dim)) continue;
+    for (const Eigen::Index node : nodes) flat[static_cast<std::size_t>(node)] = 1;
   }
   bool any = false;
-  for (const Eigen::Index n : used_) {
+  for (Eigen::Index n = 0; n < grid_.nodes(); ++n) {
     const auto at = static_cast<std::size_t>(n);
-    if (!flat[at] || !is_vertex<dim>(split(n, grid_))) continue;
-    x_[at] = 0.5 * (x_[at] + even(n));
+    if (!flat[at] || !grid_.vertex(n)) continue;
+    x_[at] = 0.5 * (x_[at] + grid_.position(n));
     loose_[at] = 1;
     any = true;
   }
   return any;
 }
 
-/// The nearest outer vertex of the grid goes to each corner of the outline.
-template <int dim>
-void Fitting<dim>::pin_corners() {
-  for (const Vec<dim>& corner : corners_of(shape_)) {
-    Eigen::Index nearest = -1;
-    for (const Eigen::Index n : used_) {
-      const auto at = static_cast<std::size_t>(n);
-      if (!outer_[at] || !is_vertex<dim>(split(n, grid_))) continue;
-      if (std::find(pinned_.begin(), pinned_.end(), n) != pinned_.end()) continue;
-      if (nearest < 0 || (x_[at] - corner).norm() < (x_[static_cast<std::size_t>(nearest)] - corner).norm())
-        nearest = n;
-    }
-    if (nearest < 0) return;
-    x_[static_cast<std::size_t>(nearest)] = corner;
-    pinned_.push_back(nearest);
-  }
-}
-
-/// Vertices go to the mean of those that an edge of an element joins them to: outer ones along the outline.
-template <int dim>
-void Fitting<dim>::smooth() {
-  std::vector<std::pair<std::size_t, std::vector<std::size_t>>> moves;
-  for (const Eigen::Index n : used_) {
-    const Index<dim> at = split(n, grid_);
-    if (!is_vertex<dim>(at) || std::find(pinned_.begin(), pinned_.end(), n) != pinned_.end()) continue;
-    auto& [vertex, around] = moves.emplace_back(static_cast<std::size_t>(n), std::vector<std::size_t>{});
-    for (int way = 0; way < 2 * dim; ++way) {
-      const Index<dim> step = (way % 2 * 2 - 1) * Index<dim>::Unit(way / 2);
-      const Eigen::Index edge = join(at + step, grid_);
-      if (edge < 0 || number_[static_cast<std::size_t>(edge)] < 0) continue;
-      if (outer_[vertex] && !outer_[static_cast<std::size_t>(edge)]) continue;
-      around.push_back(static_cast<std::size_t>(join(at + 2 * step, grid_)));
-    }
-  }
-  for (int sweep = 0; sweep < sweeps; ++sweep) {
-    std::vector<Vec<dim>> moved = x_;
-    for (const auto& [vertex, around] : moves) {
-      Vec<dim> mean = Vec<dim>::Zero();
-      for (const std::size_t other : around) mean += x_[other] / static_cast<double>(around.size());
-      moved[vertex] = outer_[vertex] ? shape_.nearest(mean) : mean;
-    }
-    x_ = moved;
-  }
-}
-
-/// Middles of edges (odd = 1), faces and cells: where the element's own polynomial has them, outer ones on
-/// the outline.
-template <int dim>
-void Fitting<dim>::place_middles(int odd) {
-  for (const Eigen::Index n : used_) {
-    const Index<dim> at = split(n, grid_);
-    int odds = 0;
-    for (int k = 0; k < dim; ++k) odds += static_cast<int>(at[k] % 2);
-    if (odds != odd) continue;
-    Vec<dim> middle = Vec<dim>::Zero();
-    double length = std::numeric_limits<double>::infinity();
-    bool loose = false;
-    // Every way to step off along some of the odd axes: -1, 0, 1 on each, not all 0.
-    for (int a = 0; a < QuadraticElement<dim>::nodes; ++a) {
-      const Index<dim> step =
-          QuadraticElement<dim>::place(a).template cast<Eigen::Index>() - Index<dim>::Ones();
-      double share = -1;
-      bool along = true;
-      for (int k = 0; k < dim; ++k) {
-        if (step[k] != 0) share *= -0.5;
-        along = along && (step[k] == 0 || at[k] % 2 == 1);
-      }
-      if (!along || step.isZero()) continue;
-      middle += share * x_[static_cast<std::size_t>(join(at + step, grid_))];
-      const Vec<dim> one = x_[static_cast<std::size_t>(join(at + step, grid_))];
-      const Vec<dim> other = x_[static_cast<std::size_t>(join(at - step, grid_))];
-      length = std::min(length, (one - other).norm());
-      loose = loose || loose_[static_cast<std::size_t>(join(at + step, grid_))];
-    }
-    Vec<dim>& x = x_[static_cast<std::size_t>(n)];
-    x = middle;
-    if (loose || !outer_[static_cast<std::size_t>(n)]) continue;
-    const Vec<dim> on = shape_.nearest(middle);
-    if ((on - middle).norm() <= most_bent * length) x = on;
-  }
-}
-
 }  // namespace
 
 template <int dim>
 FittedGrid<dim>::FittedGrid(const Shape<dim>& shape, double longest, int body) {
-  const Fitting<dim> fitting(shape, longest, body);
-  side = fitting.side();
-  position = fitting.positions();
-  node = fitting.elements();
+  const CellGrid<dim> grid(shape, longest, body);
+  side = grid.side();
+  node = grid.elements();
+  const std::vector<Vec<dim>> x = shape.is_box() ? grid.positions() : Fitting<dim>(shape, grid).positions();
+  position =
+      Eigen::Map<const Eigen::Matrix<double, dim, Eigen::Dynamic>>(x.front().data(), dim, grid.nodes());
   double volume = 0;
   for (const auto& nodes : node) {
     Eigen::Matrix<double, dim, Element::nodes> corners;

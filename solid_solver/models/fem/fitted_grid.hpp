@@ -9,9 +9,9 @@
 
 namespace cosurge::fem {
 
-/// Elements of second order. A box is divided evenly. Another shape gets the cells, along its principal axes,
-/// whose middles it contains; their outer nodes go to the outline and share it evenly, one of them to each of
-/// its corners, and the others follow (docs/method_solid.md, section 5).
+/// Elements of second order. A box is divided evenly. Another shape gets the cells of a CellGrid; their outer
+/// nodes go to the outline and share it evenly, one of them to each of its corners and in space some along
+/// each of its sharp edges, and the others follow (docs/method_solid.md, section 5).
 template <int dim>
 struct FittedGrid {
   using Element = QuadraticElement<dim>;
@@ -23,7 +23,7 @@ struct FittedGrid {
   /// @param longest side of an element [m]; 0 for a third of a box's thickness, or of 2 volume / surface
   /// @param body its number, for messages
   /// @throws Error where elements are too many, fall apart, would be turned inside out, or miss 2 % of the
-  /// volume: on sharp edges in space, which the grid does not follow, unless they are short.
+  /// volume.
   FittedGrid(const Shape<dim>& shape, double longest, int body);
 };
 

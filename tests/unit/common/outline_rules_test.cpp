@@ -93,6 +93,40 @@ TEST(OutlinedBodies, MustNotOverlapEachOther) {
   EXPECT_THAT(beside("[0.13, 0.0]", "[0.2, 0.1]"), EndsWith("solid.body.0.shape: overlaps solid.body.1.box"));
 }
 
+TEST(OutlinedBodies, MustNotOverlapAnotherOutline) {
+  const OutlinedBody body(plate);
+  std::ofstream(std::filesystem::path(body.text.file()).parent_path() / "beside.csv")
+      << "0.13, 0\n0.2, 0\n0.2, 0.1\n0.13, 0.1\n";
+  EXPECT_THAT(body.errors({"solid.body=[{ shape = { outline = \"shape.csv\" } }, "
+                           "{ shape = { outline = \"beside.csv\" } }]",
+                           "fluid.water=[{ min = [0.0, 0.0], max = [0.1, 0.2] }]"}),
+              HasSubstr("solid.body.1.shape: overlaps solid.body.0.shape"));
+}
+
+TEST(Bodies, MustNotOverlapObstaclesWhateverTheirShapes) {
+  const auto box = [](const char* min, const char* max) {
+    return fmt::format("fluid.obstacle=[{{ shape = {{ min = {}, max = {} }} }}]", min, max);
+  };
+  const OutlinedBody outlined(plate);
+  const std::string dry = "fluid.water=[{ min = [0.0, 0.0], max = [0.1, 0.2] }]";
+  EXPECT_EQ(outlined.errors({box("[0.14, 0.0]", "[0.22, 0.1]"), dry}), "");  // touches
+  EXPECT_EQ(outlined.errors({box("[0.13, 0.0]", "[0.22, 0.1]"), dry}),
+            fmt::format("{}:{}: solid.body.0.shape: overlaps fluid.obstacle.0.shape", outlined.text.file(),
+                        testing::line_of(outlined.text, "shape =")));
+  const CaseText boxed;
+  EXPECT_EQ(errors_of(boxed.file(), {box("[0.06, 0.0]", "[0.11, 0.1]")}),
+            fmt::format("{}:{}: solid.body.0.box: overlaps fluid.obstacle.0.shape", boxed.file(),
+                        testing::line_of(boxed, "box   =")));
+  // A triangle of an obstacle beside the box, and one into it.
+  for (const bool into : {false, true}) {
+    std::ofstream(std::filesystem::path(boxed.file()).parent_path() / "ramp.csv")
+        << (into ? "0.12, 0\n0.25, 0\n0.25, 0.1\n" : "0.14, 0\n0.25, 0\n0.25, 0.1\n");
+    const std::string errors =
+        errors_of(boxed.file(), {"fluid.obstacle=[{ shape = { outline = \"ramp.csv\" } }]"});
+    EXPECT_EQ(errors.empty(), !into) << errors;
+  }
+}
+
 TEST(OutlinedBodies, WaterGivesWayToThem) {
   // A box would be refused there.
   EXPECT_EQ(OutlinedBody(plate).errors({"fluid.water=[{ min = [0.0, 0.0], max = [0.2, 0.2] }]"}), "");

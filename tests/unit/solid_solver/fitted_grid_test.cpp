@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <bit>
+#include <numbers>
 
 #include "common/error.hpp"
 #include "solid_solver/shape_moments.hpp"
@@ -123,8 +126,84 @@ TEST(FittedGrid, HasTheVolumeOfABall) {
   EXPECT_GT(quality, 0.01);
 }
 
-TEST(FittedGrid, ThatMissesSharpEdgesIsRefused) {
-  EXPECT_THROW(FittedGrid<3>(Shape<3>(test::tetrahedron(1, {0, 0, 0})), 0.2, 0), Error);
+/// A body with flat faces between sharp edges.
+struct Sharp {
+  const char* name;
+  v1::Shape shape;
+  double thickness;    // elements are some parts of it
+  double off = 1e-11;  // of the volume; rounding: flat faces between creases that edges of elements lie on
+};
+
+/// About an axis that is none of the coordinates'.
+Mat<3> aslant() { return Eigen::AngleAxisd(0.7, Vec<3>(1, -2, 0.5).normalized()).toRotationMatrix(); }
+
+class SharpEdges : public testing::TestWithParam<Sharp> {};
+
+TEST_P(SharpEdges, AreKeptSoThatTheVolumeIsExact) {
+  for (const double parts : {3.0, 4.0, 6.0}) {
+    double quality = 0;
+    const double error = relative_error<3>(GetParam().shape, GetParam().thickness / parts, &quality);
+    RecordProperty(fmt::format("{}_parts", parts),
+                   fmt::format("{:.1e}, least Jacobian {:.3f}", error, quality));
+    EXPECT_LT(std::abs(error), GetParam().off);  // asked 1 %
+    EXPECT_GT(quality, 0.005);  // the least are at vertices that were steps of stairs, in space of three ways
+  }
+}
+
+TEST_P(SharpEdges, AreTheSameInABodyThatIsTurned) {
+  v1::Shape turned = GetParam().shape;
+  for (int k = 0; k < turned.vertex_size(); k += 3)
+    Eigen::Map<Vec<3>>(turned.mutable_vertex()->mutable_data() + k) =
+        aslant() * Eigen::Map<const Vec<3>>(GetParam().shape.vertex().data() + k);
+  double quality = 0;
+  EXPECT_LT(std::abs(relative_error<3>(turned, GetParam().thickness / 4, &quality)), GetParam().off);
+  EXPECT_GT(quality, 0.005);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Bodies, SharpEdges,
+    testing::Values(
+        Sharp{"prism", test::prism(1, 0.6, 0.5), 0.4},
+        Sharp{"flap", test::extruded({{0, -10}, {100, -5}, {100, 5}, {0, 10}}, 24), 20},
+        Sharp{"bracket", test::extruded({{0, 0}, {1, 0}, {1, 0.3}, {0.3, 0.3}, {0.3, 1}, {0, 1}}, 0.6, 3),
+              0.3},
+        Sharp{"arms",
+              test::extruded({{0, 0}, {1, 0.2}, {0.9, 0.5}, {0.4, 0.4}, {0.2, 1}, {-0.1, 0.9}}, 0.4, 3), 0.35,
+              1e-3},  // of four parts two vertices would make elements too flat
+        Sharp{"tetrahedron", test::tetrahedron(1, {0, 0, 0}), 0.53}),
+    [](const auto& choice) { return std::string(choice.param.name); });
+
+TEST(FittedGrid, HasTheVolumeOfACylinderToItsRims) {
+  // Of 96 sides: rims close on themselves, between them the face is smooth.
+  std::vector<Vec<2>> rim;
+  for (int k = 0; k < 96; ++k)
+    rim.emplace_back(std::cos(k * std::numbers::pi / 48), std::sin(k * std::numbers::pi / 48));
+  for (const double longest : {0.5, 0.25}) {
+    double quality = 0;
+    const double error = relative_error<3>(test::extruded(rim, 1.5), longest, &quality);
+    RecordProperty(fmt::format("{}", longest), fmt::format("{:.1e}, least Jacobian {:.3f}", error, quality));
+    EXPECT_LT(std::abs(error), 1e-3);  // as the disk's
+    EXPECT_GT(quality, 0.05);
+  }
+}
+
+TEST(FittedGrid, ThatCannotFollowItsShapeIsRefused) {
+  // An octahedron of two or three coarse elements' height, and a cone, whose tip the smoothing empties.
+  std::vector<Vec<3>> octahedron, cone;
+  for (int k = 0; k < 8; ++k) {
+    const Vec<3> a(k & 1 ? -1 : 1, 0, 0), b(0, k & 2 ? -1 : 1, 0), c(0, 0, k & 4 ? -1 : 1);
+    const bool odd = std::popcount(static_cast<unsigned>(k)) % 2 == 1;
+    for (const Vec<3>& x : {a, odd ? c : b, odd ? b : c}) octahedron.push_back(x);
+  }
+  const auto rim = [](int k) {
+    return Vec<3>(std::cos(k * std::numbers::pi / 24), std::sin(k * std::numbers::pi / 24), 0);
+  };
+  for (int k = 0; k < 48; ++k)
+    for (const Vec<3>& x : {rim(k), rim(k + 1), Vec<3>(0, 0, 1.2), rim(k + 1), rim(k), Vec<3>(0, 0, 0)})
+      cone.push_back(x);
+  EXPECT_THROW(FittedGrid<3>(Shape<3>(test::outline<3>(octahedron)), 0.4, 0), Error);
+  EXPECT_NO_THROW(FittedGrid<3>(Shape<3>(test::outline<3>(octahedron)), 0.2, 0));
+  EXPECT_THROW(FittedGrid<3>(Shape<3>(test::outline<3>(cone)), 0.2, 0), Error);
 }
 
 TEST(FittedGrid, ThatFallsApartIsRefused) {

@@ -69,14 +69,12 @@ TEST_P(Outlined, TheMassOfADiskIsItsAreas) {
 TEST_P(Outlined, TheMassOfATetrahedronIsItsVolumes) {
   v1::Case c = scene_of(test::tetrahedron(0.012, {0.0101, 0.0202, 0.0303}), 3, 0.001, model());
   c.mutable_solid()->mutable_fem()->set_element(0.002);
-  if (!particles() && model() != v1::SolidModel::sprung) {
-    EXPECT_THROW(mass_of(c), Error);  // its edges are too sharp for a grid of elements
-    return;
-  }
   const double error = mass_of(c) / (density * std::pow(0.012, 3) / 6) - 1;
   RecordProperty("error", fmt::format("{:.2e}", error));
-  // Particles: 12 along an edge, sites more or less on the faces.
-  EXPECT_LT(std::abs(error), particles() ? 0.2 : 1e-12);
+  // Particles: 12 along an edge, sites more or less on the faces. Elements: as the disk's mass, whose time
+  // integration is not exact.
+  const double off = particles() ? 0.2 : model() == v1::SolidModel::sprung ? 1e-12 : 1e-3;
+  EXPECT_LT(std::abs(error), off);
 }
 
 TEST_P(Outlined, UniformPressureAllAroundMovesNothing) {
@@ -213,6 +211,29 @@ TEST(TaperedCantilever, SwingsAsTheoryHasItAndConverges) {
       EXPECT_LT(std::abs(off), 0.005);
     }
   }
+}
+
+/// The same in space, 24 mm wide.
+double tapered_in_space(double longest, double poisson_ratio) {
+  v1::Solid solid;
+  solid.set_density(density);
+  solid.set_young_modulus(1e6);
+  solid.set_poisson_ratio(poisson_ratio);
+  v1::Body& body = *solid.add_body();
+  *body.mutable_shape() = test::extruded({{0, -0.01}, {0.1, -0.005}, {0.1, 0.005}, {0, 0.01}}, 0.024);
+  *body.add_clamp() = test::box({-0.01, -0.02, -0.01}, {0, 0.02, 0.04});
+  const Elasticity material = elasticity_of<3>(solid);
+  const fem::FemBody<3> elements(body, 0, longest, material, Vec<3>::Zero());
+  return std::sqrt(modal::lowest_modes(elements, material, 1).omega_squared[0]) / (2 * std::numbers::pi);
+}
+
+TEST(TaperedCantilever, InSpaceSwingsAsInThePlaneAndConverges) {
+  const double flat = tapered_in_space(0.007, 0) / tapered(0.003, 0) - 1;
+  const double coarse = tapered_in_space(0.01, 0.3), fine = tapered_in_space(0.007, 0.3);
+  RecordProperty("over_plane", fmt::format("{:.2e}", flat));
+  RecordProperty("coarse_over_fine", fmt::format("{:.2e}", coarse / fine - 1));
+  EXPECT_LT(std::abs(flat), 1e-3);  // without Poisson's ratio the same motion; asked 2 %
+  EXPECT_LT(std::abs(coarse / fine - 1), 0.01);
 }
 
 /// Deflection of the tip of cases/dam_break_flap under its weight, by the model's elements [m]; its foot is

@@ -1,0 +1,58 @@
+// The cells of a grid that a shape keeps.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "common/shape.hpp"
+#include "solid_solver/models/fem/quadratic_element.hpp"
+
+namespace cosurge::fem {
+
+/// An even grid along the shape's own axes (shape_axes.hpp). A box keeps all cells; another shape those whose
+/// middles it contains. Nodes are those of quadratic elements, vertices and middles, and only of cells that
+/// are kept; they ascend, the first axis fastest.
+template <int dim>
+class CellGrid {
+ public:
+  using Index = Eigen::Matrix<Eigen::Index, dim, 1>;  ///< of a node; even for vertices, odd between
+  using Nodes = std::array<Eigen::Index, QuadraticElement<dim>::nodes>;
+
+  /// @param longest side of a cell [m]; 0 for a third of a box's thickness, or of 2 volume / surface
+  /// @throws Error where cells are too many or fall apart
+  CellGrid(const Shape<dim>& shape, double longest, int body);
+
+  const Vec<dim>& side() const { return side_; }  ///< of a cell [m]
+  Eigen::Index nodes() const { return static_cast<Eigen::Index>(used_.size()); }
+
+  Index at(Eigen::Index node) const { return split(used_[static_cast<std::size_t>(node)], grid_); }
+  Eigen::Index node(const Index& at) const;  ///< -1 where no cell is kept
+  bool vertex(Eigen::Index node) const;
+  bool outer(Eigen::Index node) const { return outer_[static_cast<std::size_t>(node)] != 0; }
+  Vec<dim> position(Eigen::Index node) const;  ///< in the even grid [m]
+  std::vector<Vec<dim>> positions() const;     ///< of all nodes
+
+  /// Cells around a node that are kept, and of how many.
+  struct Around {
+    int kept = 0, all = 0;
+  };
+  Around around(const Index& node) const;
+
+  std::vector<Nodes> elements() const;
+
+ private:
+  static Eigen::Index join(const Index& k, const Index& counts);
+  static Index split(Eigen::Index all, const Index& counts);
+  void lay_out(const Shape<dim>& shape, double longest, int body);
+  void choose_cells(const Shape<dim>& shape, int body);
+  int parts() const;
+
+  Mat<dim> axes_;
+  Vec<dim> origin_, side_;
+  Index cells_, grid_;  // number of cells, and of nodes, along each axis
+  std::vector<char> kept_;
+  std::vector<Eigen::Index> used_, number_;  // nodes in the whole grid, and back
+  std::vector<char> outer_;
+};
+
+}  // namespace cosurge::fem

@@ -1,0 +1,19 @@
+// The axes along which a shape is gridded.
+#pragma once
+
+#include "common/shape.hpp"
+
+namespace cosurge::fem {
+
+/// A rotation; its columns are the axes, in the order of the coordinates they are closest to. Where the
+/// normals of more than half of an outline's surface lie along axes at right angles, these; otherwise the
+/// principal axes of its moments, or the coordinates' where principal moments are alike. A box has the
+/// coordinates'.
+template <int dim>
+Mat<dim> axes_of(const Shape<dim>& shape);
+
+/// Normal of a facet, as long as it is large (in space: twice its area).
+Vec<2> normal_of(const Shape<2>::Facet& side);
+Vec<3> normal_of(const Shape<3>::Facet& triangle);
+
+}  // namespace cosurge::fem
