@@ -49,7 +49,8 @@ class Coupler {
   /// Of what the coupler itself reports of a window.
   std::vector<Column> columns() const;
   const std::vector<std::string>& notes() const { return notes_; }  ///< what the scheme has decided, and why
-  std::uint64_t unconverged() const { return unconverged_; }        ///< windows whose iterations ran out
+  const InterfaceAccount& account() const { return account_; }
+  std::uint64_t unconverged() const { return unconverged_; }  ///< windows whose iterations ran out
   double time() const { return schedule_.time(); }
   std::uint64_t windows() const { return schedule_.windows(); }
 

@@ -1,5 +1,7 @@
 #include "coupler/interface_account.hpp"
 
+#include <cmath>
+
 namespace cosurge {
 
 void InterfaceAccount::open(const Surface& surface) {
@@ -10,10 +12,11 @@ void InterfaceAccount::open(const Surface& surface) {
 void InterfaceAccount::close(const Surface& surface, const Field& seen, const Window& window) {
   const Field moved = surface.displacement - displacement_;
   const Field& late = surface.ramp_increment;
-  if (ramped_)
-    work_ += load_.cwiseProduct(moved - late).sum() + surface.force.cwiseProduct(late).sum();
-  else
-    work_ += surface.force.cwiseProduct(moved).sum();
+  const double work = ramped_
+                          ? load_.cwiseProduct(moved - late).sum() + surface.force.cwiseProduct(late).sum()
+                          : surface.force.cwiseProduct(moved).sum();
+  work_ += work;
+  passed_ += std::abs(work);
   seen_work_ += window.size * surface.force.cwiseProduct(seen).sum();
   load_ = surface.force;
 }
@@ -34,12 +37,14 @@ std::vector<double> InterfaceAccount::values() const {
 void InterfaceAccount::save(StateWriter& state) const {
   state.put(work_);
   state.put(seen_work_);
+  state.put(passed_);
   put_sized(state, load_);
 }
 
 void InterfaceAccount::restore(StateReader& state) {
   state.get(work_);
   state.get(seen_work_);
+  state.get(passed_);
   get_sized(state, load_);
 }
 

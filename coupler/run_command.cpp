@@ -179,6 +179,12 @@ int run_with(Solvers& solvers, const v1::Case& the_case, const fs::path& folder,
   if (coupler.unconverged() > 0)
     fmt::print("{} of {} windows did not converge in {} iterations: the nearest one counts\n",
                coupler.unconverged(), coupler.windows(), the_case.coupling().iteration().limit());
+  if (const InterfaceAccount& account = coupler.account();
+      account.created() > InterfaceAccount::much * account.passed())
+    fmt::print(
+        "not to be trusted: the coupling scheme itself has put {:.2g} J into the system, where {:.2g} J have "
+        "passed; take coupling.scheme = \"strong\" or what docs/stability.md has instead\n",
+        account.created(), account.passed());
   if (exit_status != 0) fmt::print("to go on: cosurge resume {}\n", folder.string());
   return exit_status;
 }

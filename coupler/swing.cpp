@@ -8,7 +8,6 @@ namespace cosurge {
 namespace {
 
 constexpr double growing = 3;    // times the change of the second quarter: noise alone makes 0.5 to 5
-constexpr double much = 0.05;    // of the work: stable runs have less than 0.01, bounded ones 0.1 to 2
 constexpr double turning = 0.9;  // of a change of the load that the next one takes back: noise has 0.5
 
 double range(const std::vector<double>& values, std::size_t from) {
@@ -88,8 +87,8 @@ bool Swing::alternates() const {
 }
 
 const char* Swing::judgement() const {
-  if (alternates() || !(created() <= much)) return "growing";
-  return created() < -much ? "draining" : "stable";
+  if (alternates() || !(created() <= InterfaceAccount::much)) return "growing";
+  return created() < -InterfaceAccount::much ? "draining" : "stable";
 }
 
 const std::vector<double>& Swing::displacement() const {

@@ -75,8 +75,8 @@ CHART_END = 0.4  # s: first blow and answer
 VARIANTS = {  # by label: settings in place of the recommended ones
     "deviation, p_min": {"fluid.source": "deviation", "fluid.gradient": "p_min"},
     "mixed": {"fluid.source": "mixed"},
-    "window 5e-5 s": {"time.window": 5e-5, "fluid.courant": 0.2},
-    "window 1e-4 s": {"time.window": 1e-4, "fluid.courant": 0.2},
+    "window 5e-5 s": {"time.window": 5e-5},
+    "window 2e-4 s": {"time.window": 2e-4},
     "window 4e-4 s": {"time.window": 4e-4},
     "mps": {"solid.model": "mps"},
     "hamiltonian": {"solid.model": "hamiltonian"},
