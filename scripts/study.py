@@ -84,21 +84,23 @@ class Study:
     def _run(self, run):
         folder = self.folder_of(run)
         begun = self._identity(run) == run.identity() and (folder / "checkpoint").exists()
-        if begun:
-            command = [COSURGE, "resume", folder]
-        else:
-            subprocess.run(["rm", "-rf", folder], check=True)
-            command = [COSURGE, "run", ROOT / "cases" / run.case, "--out", folder]
-        command += ["--threads", str(self.threads)]
-        if not begun and run.settings:
-            command += ["--set", *run.words()]
         self._log(run).with_suffix(".id").write_text(run.identity())
-        with open(self._log(run), "a" if begun else "w") as log:
-            subprocess.run(command, stdout=log, stderr=log, check=False)
+        if not begun or "it is of another case or build" in self._start(run, ["resume", folder], "a"):
+            subprocess.run(["rm", "-rf", folder], check=True)
+            settings = ["--set", *run.words()] if run.settings else []
+            self._start(run, ["run", ROOT / "cases" / run.case, "--out", folder, *settings], "w")
         if not (folder / "summary.json").exists():  # refused before it began
             folder.mkdir(exist_ok=True)
             words = self._log(run).read_text().strip()
             (folder / "summary.json").write_text(json.dumps({"status": "failed", "reason": words}))
+
+    def _start(self, run, words, mode):
+        """Runs cosurge to its end, what it says into the log opened in `mode`; returns that."""
+        with open(self._log(run), mode) as log:
+            before = log.tell()
+            command = [COSURGE, words[0], "--threads", str(self.threads), *words[1:]]
+            subprocess.run(command, stdout=log, stderr=log, check=False)
+        return self._log(run).read_bytes()[before:].decode()
 
     def _progress(self, run):
         """Words of the last line of progress: time, end, seconds left; None before the first."""

@@ -2,6 +2,7 @@
 """Runs and reports; see scripts/reproduce."""
 import argparse
 import os
+import signal
 import sys
 from pathlib import Path
 
@@ -29,6 +30,7 @@ def main():
     groups = options.groups or [name for name in runs.GROUPS if name != "reduced"]
     chosen = list({run.name: run for group in groups for run in runs.GROUPS[group]()}.values())
     if options.list:
+        signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # into head
         for run in chosen:
             summary = study.summary(run)
             print(f"{run.name:44s} {summary['status'] if summary else 'not yet':9s} {' '.join(run.words())}")
