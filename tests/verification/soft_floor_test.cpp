@@ -58,13 +58,14 @@ TEST(SoftFloor, SwingsAtTheFrequencyOfABarWithTheWaterOnTop) {
 TEST(SoftFloor, LighterThanItsWaterIsBeyondWeakCoupling) {
   // mu = rho H / (rho_s e) = 4; weak coupling bears 2. All that there is to pass is the work of the water's
   // weight on the way down, rho g H x 39 um x 0.1 m = 8 mJ.
+  constexpr double all_there_is = 8e-3;
   double energy = INFINITY;
   try {
     energy = largest(Recording(soft_floor({"coupling.scheme=weak"})).column("solid/kinetic_energy"), 0, 1);
   } catch (const NumericalError&) {
   }
-  EXPECT_GT(energy, 0.1);
-  EXPECT_LT(largest(Recording(soft_floor({})).column("solid/kinetic_energy"), 0, 1), 8e-3);
+  EXPECT_GT(energy, 5 * all_there_is);  // 8 times seen; 13 and more with elements that damp less
+  EXPECT_LT(largest(Recording(soft_floor({})).column("solid/kinetic_energy"), 0, 1), all_there_is);
 }
 
 }  // namespace
