@@ -1,6 +1,7 @@
 // The sites of the lattice that a body takes.
 #pragma once
 
+#include "common/cell_block.hpp"
 #include "common/shape.hpp"
 
 namespace cosurge {
@@ -20,17 +21,16 @@ class BodySites {
   bool contains(const Vec<dim>& x) const;
 
   /// Number of parts that do not touch by faces of their cells.
-  int parts() const;
+  int parts() const { return block_.parts(taken_); }
 
  private:
-  using Index = Eigen::Matrix<long, dim, 1>;
+  using Index = typename CellBlock<dim>::Index;
 
-  long cell(const Index& k) const;  // -1 outside the block of cells
-  Index place(long cell) const;
   std::vector<char> blocks(const std::vector<char>& inside) const;
 
   double spacing_;
-  Index lower_, count_;      // of the cells around the body
+  Index lower_;  // first cell of the block around the body
+  CellBlock<dim> block_;
   std::vector<char> taken_;  // of these
   std::vector<Vec<dim>> sites_;
 };

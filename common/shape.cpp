@@ -6,6 +6,12 @@
 #include <limits>
 
 namespace cosurge {
+
+Vec<2> normal_of(const Shape<2>::Facet& side) { return {side[1][1] - side[0][1], side[0][0] - side[1][0]}; }
+
+Vec<3> normal_of(const Shape<3>::Facet& triangle) {
+  return (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
+}
 namespace {
 
 constexpr double on_the_face = 1e-9;  // m: what lies on a face lies in the body whatever the rounding
@@ -53,7 +59,7 @@ Vec<2> nearest_on(const Vec<2>& x, const std::array<Vec<2>, 2>& side) {
 
 /// The foot of the perpendicular, or where that misses the triangle the nearest point of its edges.
 Vec<3> nearest_on(const Vec<3>& x, const std::array<Vec<3>, 3>& triangle) {
-  const Vec<3> normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
+  const Vec<3> normal = normal_of(triangle);
   const double twice_area = normal.norm();
   bool inside = twice_area > 0;
   Vec<3> best = triangle[0];

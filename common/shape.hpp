@@ -41,6 +41,10 @@ class Shape {
   std::vector<Facet> facets_;
 };
 
+/// Normal of a facet, as long as it is large (in space: twice its area).
+Vec<2> normal_of(const Shape<2>::Facet& side);
+Vec<3> normal_of(const Shape<3>::Facet& triangle);
+
 v1::Shape shape_of(const v1::Box& box);
 
 /// The shape of a body, which the case gives as a box or as any shape.

@@ -1,6 +1,5 @@
 #include "solid_solver/shape_moments.hpp"
 
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <cmath>
 
@@ -37,10 +36,7 @@ void ShapeMoments<dim>::sum_outline(const std::vector<typename Shape<dim>::Facet
     volume += part;
     first += part / (dim + 1) * sum;
     second += part / ((dim + 1) * (dim + 2)) * (corners * corners.transpose() + sum * sum.transpose());
-    if constexpr (dim == 2)
-      surface += (facet[1] - facet[0]).norm();
-    else
-      surface += 0.5 * (facet[1] - facet[0]).cross(facet[2] - facet[0]).norm();
+    surface += normal_of(facet).norm() / (dim - 1);
   }
   const Vec<dim> shift = first / volume;
   second -= volume * shift * shift.transpose();

@@ -62,7 +62,6 @@ void Aggregation::set_up(const Matrix& A, const CellsOfUnknowns& cells) {
 auto Aggregation::first_level(const Matrix& A, const CellsOfUnknowns& cells) const -> Level {
   Level level;
   level.cell = cells.cell;
-  level.aggregate = cells.of_unknown;
   level.diagonal.resize(cells.cell.size());
   const auto fill = [&](int a, std::int64_t begin) {
     thread_local std::vector<float> sums;

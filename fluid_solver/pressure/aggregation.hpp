@@ -30,6 +30,7 @@ class Aggregation : public Preconditioner {
   struct Level : BlockRows {
     std::vector<std::array<int, 3>> cell;
     std::vector<float> diagonal;
+    // Of the levels behind the first, whose unknowns are the cells:
     std::vector<std::int32_t> aggregate;  // of each unknown of the finer level
     std::vector<std::int32_t> begin;      // of each aggregate in `member`, and the end
     std::vector<std::int32_t> member;     // unknowns of the finer level

@@ -34,7 +34,7 @@ auto sum_of_lanes(const Lanes& v) {
 /// Vectors are read in whole lanes: they have at least `lanes` numbers.
 struct BlockRows {
   static constexpr int lanes = 8;
-  static constexpr int ahead = 32;
+  static constexpr int ahead = 32;  ///< blocks, of what is fetched into the caches
 
   Rows rows;                        ///< of blocks
   std::vector<std::int32_t> first;  ///< column of the first weight of each block

@@ -18,9 +18,9 @@ template <int dim>
 CellGrid<dim>::CellGrid(const Shape<dim>& shape, double longest, int body) : axes_(axes_of(shape)) {
   lay_out(shape, longest, body);
   choose_cells(shape, body);
-  number_.assign(static_cast<std::size_t>(grid_.prod()), -1);
-  for (Eigen::Index n = 0; n < grid_.prod(); ++n) {
-    const Around cells = around(split(n, grid_));
+  number_.assign(static_cast<std::size_t>(grid_.cells()), -1);
+  for (Eigen::Index n = 0; n < grid_.cells(); ++n) {
+    const Around cells = around(grid_.split(n));
     if (cells.kept == 0) continue;
     number_[static_cast<std::size_t>(n)] = nodes();
     used_.push_back(n);
@@ -50,48 +50,25 @@ void CellGrid<dim>::lay_out(const Shape<dim>& shape, double longest, int body) {
   require(counts.prod() <= most_elements,
           "solid.fem.element = {:.3g} m makes {:.3g} elements of solid.body.{}, more than {:.0g}", longest,
           counts.prod(), body, most_elements);
-  cells_ = counts.template cast<Eigen::Index>();
-  grid_ = 2 * cells_ + Index::Ones();
+  cells_.count = counts.template cast<Eigen::Index>();
+  grid_.count = 2 * cells_.count + Index::Ones();
   side_ = sides.array() / counts.array();
   origin_ = low;
 }
 
 template <int dim>
 void CellGrid<dim>::choose_cells(const Shape<dim>& shape, int body) {
-  kept_.assign(static_cast<std::size_t>(cells_.prod()), 1);
+  kept_.assign(static_cast<std::size_t>(cells_.cells()), 1);
   if (shape.is_box()) return;
-  for (Eigen::Index c = 0; c < cells_.prod(); ++c) {
+  for (Eigen::Index c = 0; c < cells_.cells(); ++c) {
     const Vec<dim> middle =
-        origin_ + ((split(c, cells_).template cast<double>().array() + 0.5) * side_.array()).matrix();
+        origin_ + ((cells_.split(c).template cast<double>().array() + 0.5) * side_.array()).matrix();
     kept_[static_cast<std::size_t>(c)] = shape.contains(axes_ * middle) ? 1 : 0;
   }
-  const int pieces = parts();
+  const int pieces = cells_.parts(kept_);
   require(pieces == 1,
           "solid.body.{}: elements of {:.3g} m fall into {} parts; make solid.fem.element shorter", body,
           side_.maxCoeff(), pieces);
-}
-
-template <int dim>
-int CellGrid<dim>::parts() const {
-  std::vector<char> left = kept_;
-  int parts = 0;
-  for (Eigen::Index start = 0; start < cells_.prod(); ++start) {
-    if (!left[static_cast<std::size_t>(start)]) continue;
-    ++parts;
-    std::vector<Eigen::Index> open = {start};
-    left[static_cast<std::size_t>(start)] = 0;
-    while (!open.empty()) {
-      const Index k = split(open.back(), cells_);
-      open.pop_back();
-      for (int way = 0; way < 2 * dim; ++way) {
-        const Eigen::Index next = join(k + (way % 2 * 2 - 1) * Index::Unit(way / 2), cells_);
-        if (next < 0 || !left[static_cast<std::size_t>(next)]) continue;
-        left[static_cast<std::size_t>(next)] = 0;
-        open.push_back(next);
-      }
-    }
-  }
-  return parts;
 }
 
 template <int dim>
@@ -107,7 +84,7 @@ typename CellGrid<dim>::Around CellGrid<dim>::around(const Index& node) const {
     }
     if (twice) continue;
     ++cells.all;
-    const Eigen::Index c = join(cell, cells_);
+    const Eigen::Index c = cells_.join(cell);
     cells.kept += c >= 0 && kept_[static_cast<std::size_t>(c)] ? 1 : 0;
   }
   return cells;
@@ -115,7 +92,7 @@ typename CellGrid<dim>::Around CellGrid<dim>::around(const Index& node) const {
 
 template <int dim>
 Eigen::Index CellGrid<dim>::node(const Index& at) const {
-  const Eigen::Index n = join(at, grid_);
+  const Eigen::Index n = grid_.join(at);
   return n < 0 ? -1 : number_[static_cast<std::size_t>(n)];
 }
 
@@ -143,30 +120,15 @@ std::vector<Vec<dim>> CellGrid<dim>::positions() const {
 template <int dim>
 std::vector<typename CellGrid<dim>::Nodes> CellGrid<dim>::elements() const {
   std::vector<Nodes> all;
-  for (Eigen::Index c = 0; c < cells_.prod(); ++c) {
+  for (Eigen::Index c = 0; c < cells_.cells(); ++c) {
     if (!kept_[static_cast<std::size_t>(c)]) continue;
     Nodes& nodes = all.emplace_back();
-    const Index corner = 2 * split(c, cells_);
+    const Index corner = 2 * cells_.split(c);
     for (int a = 0; a < QuadraticElement<dim>::nodes; ++a)
       nodes[static_cast<std::size_t>(a)] =
           node(corner + QuadraticElement<dim>::place(a).template cast<Eigen::Index>());
   }
   return all;
-}
-
-template <int dim>
-Eigen::Index CellGrid<dim>::join(const Index& k, const Index& counts) {
-  if ((k.array() < 0).any() || (k.array() >= counts.array()).any()) return -1;
-  Eigen::Index all = 0;
-  for (int axis = dim - 1; axis >= 0; --axis) all = all * counts[axis] + k[axis];
-  return all;
-}
-
-template <int dim>
-typename CellGrid<dim>::Index CellGrid<dim>::split(Eigen::Index all, const Index& counts) {
-  Index k;
-  for (int axis = 0; axis < dim; all /= counts[axis], ++axis) k[axis] = all % counts[axis];
-  return k;
 }
 
 template class CellGrid<2>;

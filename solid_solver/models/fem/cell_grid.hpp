@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "common/cell_block.hpp"
 #include "common/shape.hpp"
 #include "solid_solver/models/fem/quadratic_element.hpp"
 
@@ -15,7 +16,7 @@ namespace cosurge::fem {
 template <int dim>
 class CellGrid {
  public:
-  using Index = Eigen::Matrix<Eigen::Index, dim, 1>;  ///< of a node; even for vertices, odd between
+  using Index = typename CellBlock<dim>::Index;  ///< of a node; even for vertices, odd between
   using Nodes = std::array<Eigen::Index, QuadraticElement<dim>::nodes>;
 
   /// @param longest side of a cell [m]; 0 for a third of a box's thickness, or of 2 volume / surface
@@ -25,7 +26,7 @@ class CellGrid {
   const Vec<dim>& side() const { return side_; }  ///< of a cell [m]
   Eigen::Index nodes() const { return static_cast<Eigen::Index>(used_.size()); }
 
-  Index at(Eigen::Index node) const { return split(used_[static_cast<std::size_t>(node)], grid_); }
+  Index at(Eigen::Index node) const { return grid_.split(used_[static_cast<std::size_t>(node)]); }
   Eigen::Index node(const Index& at) const;  ///< -1 where no cell is kept
   bool vertex(Eigen::Index node) const;
   bool outer(Eigen::Index node) const { return outer_[static_cast<std::size_t>(node)] != 0; }
@@ -41,15 +42,12 @@ class CellGrid {
   std::vector<Nodes> elements() const;
 
  private:
-  static Eigen::Index join(const Index& k, const Index& counts);
-  static Index split(Eigen::Index all, const Index& counts);
   void lay_out(const Shape<dim>& shape, double longest, int body);
   void choose_cells(const Shape<dim>& shape, int body);
-  int parts() const;
 
   Mat<dim> axes_;
   Vec<dim> origin_, side_;
-  Index cells_, grid_;  // number of cells, and of nodes, along each axis
+  CellBlock<dim> cells_, grid_;  // the second one of nodes
   std::vector<char> kept_;
   std::vector<Eigen::Index> used_, number_;  // nodes in the whole grid, and back
   std::vector<char> outer_;

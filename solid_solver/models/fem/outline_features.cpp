@@ -4,8 +4,6 @@
 #include <map>
 #include <numeric>
 
-#include "solid_solver/models/fem/shape_axes.hpp"
-
 namespace cosurge::fem {
 namespace {
 

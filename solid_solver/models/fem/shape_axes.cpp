@@ -105,12 +105,6 @@ std::optional<Mat<dim>> face_axes(const Shape<dim>& shape) {
 
 }  // namespace
 
-Vec<2> normal_of(const Shape<2>::Facet& side) { return {side[1][1] - side[0][1], side[0][0] - side[1][0]}; }
-
-Vec<3> normal_of(const Shape<3>::Facet& triangle) {
-  return (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
-}
-
 template <int dim>
 Mat<dim> axes_of(const Shape<dim>& shape) {
   if (shape.is_box()) return Mat<dim>::Identity();

@@ -12,8 +12,4 @@ namespace cosurge::fem {
 template <int dim>
 Mat<dim> axes_of(const Shape<dim>& shape);
 
-/// Normal of a facet, as long as it is large (in space: twice its area).
-Vec<2> normal_of(const Shape<2>::Facet& side);
-Vec<3> normal_of(const Shape<3>::Facet& triangle);
-
 }  // namespace cosurge::fem
