@@ -7,7 +7,7 @@ TABLE is one of
   hydrostatic  water at rest for 5 s: pressure on the walls, kinetic energy, drift of the level, density at the floor
   noise        dam break on a rigid plate, 2 mm: noise of the pressure on it for each source and window
   convergence  dam break on a rigid plate, 8, 4, 2 and 1 mm: arrival of the front and impulse on the plate, with observed orders
-  wave         standing wave in a tank of 1 m x 0.5 m of water, 1/40 to 1/160 m: period and decay, with observed orders
+  wave         standing wave in a tank of 1 m x 0.5 m of water, 1/40 to 1/320 m: period and decay, with observed orders
   soft         dam break on a rigid plate, 2 mm: what the soft water of public codes gains and costs
 
 Runs build/release/bin/cosurge. Finished runs are kept in build/accuracy and not repeated.
@@ -169,7 +169,7 @@ def damped_wave(time, height):
 def wave(threads):
     for source, gradient in SOURCES:
         rows = []
-        for spacing in (0.025, 0.0125, 0.00625):
+        for spacing in (0.025, 0.0125, 0.00625, 0.003125):
             settings = {"fluid.source": source, "fluid.gradient": gradient, "fluid.spacing": spacing,
                         "fluid.tank.max": "[1.0, 0.8]", "time.window": spacing / 12.5}
             folder, summary = run("standing_wave", settings, threads)

@@ -178,7 +178,8 @@ Report RemoteParticipant::advance(const Window& window, Surface& surface) {
 std::string RemoteParticipant::save() {
   return call("save", [&] {
     request_.mutable_save();
-    return exchange(Reply::kSaved).saved().state();
+    exchange(Reply::kSaved);
+    return std::move(*reply_.mutable_saved()->mutable_state());
   });
 }
 

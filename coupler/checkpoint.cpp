@@ -79,12 +79,12 @@ void replay_file(const H5::H5File& file, double time, Recorder& recorder) {
 }  // namespace
 
 void Checkpoint::write(const std::filesystem::path& folder) const {
-  StateWriter bytes;
-  bytes.put(signature());
-  bytes.put(the_case.SerializeAsString());
-  bytes.put(time);
-  bytes.put(state);
-  replace_file(folder / name, bytes.take());
+  StateWriter head;
+  head.put(signature());
+  head.put(the_case.SerializeAsString());
+  head.put(time);
+  head.put(static_cast<std::uint64_t>(state.size()));
+  replace_file(folder / name, {head.take(), state});
 }
 
 Checkpoint Checkpoint::read(const std::filesystem::path& folder) {

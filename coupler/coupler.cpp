@@ -68,7 +68,9 @@ void Coupler::settle(const Observers& observers) {
   tell(observers);
   settled_.clear();
   if (!scheme_->may_go_back()) return;
-  settled_ = save_all_but_scheme();
+  StateWriter state;
+  save_all_but_scheme(state);
+  settled_ = state.take();
   StateWriter scheme;
   scheme_->save(scheme);
   settled_scheme_ = scheme.take();
@@ -76,7 +78,8 @@ void Coupler::settle(const Observers& observers) {
 
 void Coupler::go_back() {
   waiting_.clear();
-  restore_all_but_scheme(settled_);
+  StateReader state(settled_);
+  restore_all_but_scheme(state);
 }
 
 void Coupler::tell(const Observers& observers) {
@@ -109,22 +112,19 @@ void Coupler::show_frame(const std::vector<Observer*>& observers) {
 
 std::string Coupler::save() const {
   StateWriter state;
-  state.put(save_all_but_scheme());
+  save_all_but_scheme(state);
   scheme_->save(state);
   return state.take();
 }
 
 void Coupler::restore(const std::string& bytes) {
   StateReader state(bytes);
-  std::string all_but_scheme;
-  state.get(all_but_scheme);
-  restore_all_but_scheme(all_but_scheme);
+  restore_all_but_scheme(state);
   scheme_->restore(state);
   state.finish();
 }
 
-std::string Coupler::save_all_but_scheme() const {
-  StateWriter state;
+void Coupler::save_all_but_scheme(StateWriter& state) const {
   schedule_.save(state);
   account_.save(state);
   state.put(unconverged_);
@@ -135,11 +135,9 @@ std::string Coupler::save_all_but_scheme() const {
   state.put(surface_.pressure);
   for (Participant* participant : {participants_.fluid, participants_.solid})
     if (participant != nullptr) state.put(participant->save());
-  return state.take();
 }
 
-void Coupler::restore_all_but_scheme(const std::string& bytes) {
-  StateReader state(bytes);
+void Coupler::restore_all_but_scheme(StateReader& state) {
   schedule_.restore(state);
   account_.restore(state);
   state.get(unconverged_);
@@ -154,7 +152,6 @@ void Coupler::restore_all_but_scheme(const std::string& bytes) {
     state.get(saved);
     participant->restore(saved);
   }
-  state.finish();
 }
 
 }  // namespace cosurge

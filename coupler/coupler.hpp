@@ -69,8 +69,8 @@ class Coupler {
   void tell(const Observers& observers);
   std::vector<double> values() const;
   void show_frame(const Observers& observers);
-  std::string save_all_but_scheme() const;
-  void restore_all_but_scheme(const std::string& state);
+  void save_all_but_scheme(StateWriter& state) const;
+  void restore_all_but_scheme(StateReader& state);
 
   v1::Case case_;
   Participants participants_;

@@ -137,7 +137,7 @@ void map_command(const MapOptions& options) {
     running.erase(pid);
     if (status != 0)
       replace_file(part(k),
-                   fmt::format("blown_up,0,0,0,0,0,0,0,0,0,0,0,0,\"its process ended with {}\"", status));
+                   {fmt::format("blown_up,0,0,0,0,0,0,0,0,0,0,0,0,\"its process ended with {}\"", status)});
     std::ifstream file(part(k));
     std::string row;
     std::getline(file, row);
@@ -165,7 +165,7 @@ void map_command(const MapOptions& options) {
     }
     int status = 1;
     try {
-      replace_file(part(k), run_cell(options, settings));
+      replace_file(part(k), {run_cell(options, settings)});
       status = 0;
     } catch (...) {
     }
@@ -178,7 +178,7 @@ void map_command(const MapOptions& options) {
     std::getline(file, row);
     table += fmt::format("{},{}\n", fmt::join(grid[k], ","), row);
   }
-  replace_file(options.out, table);
+  replace_file(options.out, {table});
   fs::remove_all(parts);
 }
 

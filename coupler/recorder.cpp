@@ -97,7 +97,7 @@ void Recorder::frame(double time, const std::vector<Snapshot>& snapshots) {
   file_.append("/frames/time", std::span(&time, 1));
   frame_times_.push_back(time);
   file_.flush();
-  replace_file(folder_ / xdmf_name, xdmf(results_name, frame_times_, clouds_));
+  replace_file(folder_ / xdmf_name, {xdmf(results_name, frame_times_, clouds_)});
 }
 
 void Recorder::flush() {

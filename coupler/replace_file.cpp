@@ -8,11 +8,11 @@
 
 namespace cosurge {
 
-void replace_file(const std::filesystem::path& path, const std::string& text) {
+void replace_file(const std::filesystem::path& path, std::initializer_list<std::string_view> parts) {
   const std::filesystem::path fresh = path.string() + ".new";
   errno = 0;
   std::ofstream out(fresh, std::ios::binary);
-  out << text;
+  for (const std::string_view part : parts) out << part;
   out.close();
   const int cause = errno;
   require(!out.fail(), "{}: cannot be written: {}", fresh.string(), std::generic_category().message(cause));

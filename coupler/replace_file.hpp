@@ -2,12 +2,13 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
+#include <initializer_list>
+#include <string_view>
 
 namespace cosurge {
 
-/// Writes beside `path` and renames: whoever opens `path`, at any time, gets the old text or the new.
+/// Writes `parts` one behind the other beside `path` and renames: whoever opens `path`, at any time, gets the old text or the new.
 /// @throws Error when it cannot be written.
-void replace_file(const std::filesystem::path& path, const std::string& text);
+void replace_file(const std::filesystem::path& path, std::initializer_list<std::string_view> parts);
 
 }  // namespace cosurge

@@ -99,7 +99,7 @@ void write_summary(const std::filesystem::path& folder, const Recorder& recorder
                         {"results", {{"hdf5", Recorder::results_name}, {"xdmf", Recorder::xdmf_name}}}};
   constexpr int indent = 2;
   replace_file(folder / "summary.json",
-               summary.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n");
+               {summary.dump(indent, ' ', false, Json::error_handler_t::replace), "\n"});
 }
 
 }  // namespace cosurge

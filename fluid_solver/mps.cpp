@@ -195,7 +195,7 @@ void Mps<dim>::search_neighbors(double time) {
 template <int dim>
 void Mps<dim>::locate_bodies() {
   body_place_.assign(static_cast<std::size_t>(bodies_.points()), -1);
-  areas_.resize(static_cast<std::size_t>(particles_.size()));
+  if (bodies_.points() > 0) areas_.resize(static_cast<std::size_t>(particles_.size()));
   for (int i = 0; i < particles_.size(); ++i) {
     const int point = particles_.id[i] - first_body_id_;
     if (point < 0) continue;

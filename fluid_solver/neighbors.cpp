@@ -44,7 +44,7 @@ void Neighbors<dim>::rebuild(Particles<dim>& particles) {
     });
     return count;
   };
-  const auto prepare = [&](std::int64_t entries) { index_.resize(static_cast<std::size_t>(entries)); };
+  const auto prepare = [&](std::int64_t entries) { index_.make_room(static_cast<std::size_t>(entries)); };
   rows_.fill(particles.size(), expected_neighbors(dim), most_entries(dim), prepare, list);
 }
 

@@ -4,6 +4,7 @@
 #include "fluid_solver/cell_grid.hpp"
 #include "fluid_solver/particles.hpp"
 #include "fluid_solver/rows.hpp"
+#include "fluid_solver/unfilled.hpp"
 
 namespace cosurge::fluid {
 
@@ -38,7 +39,7 @@ class Neighbors {
   double re_;
   CellGrid<dim> grid_;
   Rows rows_;
-  std::vector<std::int32_t> index_;
+  Unfilled<std::int32_t> index_;
 };
 
 }  // namespace cosurge::fluid

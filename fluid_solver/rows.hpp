@@ -25,32 +25,31 @@ class Rows {
   /// there on average, and where a chunk does not hold its rows everything is filled again with more room.
   template <typename Prepare, typename Fill>
   void fill(int rows, int expected, int most, Prepare&& prepare, Fill&& fill_row) {
-    begin_.resize(static_cast<std::size_t>(rows));
-    end_.resize(static_cast<std::size_t>(rows));
     const int chunks = (rows + chunk - 1) / chunk;
+    rows_ = rows;
+    offset_.resize(static_cast<std::size_t>(rows + chunks));
     share_ = std::max(share_, expected);
     for (bool full = true; full; share_ = full ? 2 * share_ : share_) {
-      const std::int64_t stretch = static_cast<std::int64_t>(chunk) * share_ + most;
-      prepare(stretch * chunks);
+      stretch_ = static_cast<std::int64_t>(chunk) * share_ + most;
+      prepare(stretch_ * chunks);
       std::atomic<bool> overflow = false;
 #pragma omp parallel for schedule(dynamic, 1)
       for (int c = 0; c < chunks; ++c) {
-        std::int64_t place = stretch * c;
-        const std::int64_t last = stretch * (c + 1) - most;
-        for (int i = c * chunk; i < std::min(rows, (c + 1) * chunk) && place <= last; ++i) {
-          begin_[i] = place;
-          place += fill_row(i, place);
-          end_[i] = place;
-        }
-        if (place > last) overflow = true;
+        const std::int64_t first = stretch_ * c;
+        const std::int64_t last = stretch_ - most;
+        std::int32_t* offset = offset_.data() + static_cast<std::ptrdiff_t>(c) * (chunk + 1);
+        *offset = 0;
+        for (int i = c * chunk; i < std::min(rows, (c + 1) * chunk) && *offset <= last; ++i, ++offset)
+          offset[1] = *offset + static_cast<std::int32_t>(fill_row(i, first + *offset));
+        if (*offset > last) overflow = true;
       }
       full = overflow;
     }
   }
 
-  int rows() const { return static_cast<int>(begin_.size()); }
-  std::int64_t begin(int row) const { return begin_[static_cast<std::size_t>(row)]; }
-  std::int64_t end(int row) const { return end_[static_cast<std::size_t>(row)]; }
+  int rows() const { return rows_; }
+  std::int64_t begin(int row) const { return stretch_ * (row / chunk) + offset_[row + row / chunk]; }
+  std::int64_t end(int row) const { return stretch_ * (row / chunk) + offset_[row + row / chunk + 1]; }
 
   std::int64_t entries() const {
     std::int64_t sum = 0;
@@ -59,9 +58,10 @@ class Rows {
   }
 
  private:
-  std::vector<std::int64_t> begin_;
-  std::vector<std::int64_t> end_;
-  int share_ = 0;  // entries a row has room for on average
+  int rows_ = 0;
+  std::vector<std::int32_t> offset_;  // of each row in its chunk's stretch, and of each chunk's end
+  std::int64_t stretch_ = 0;          // entries a chunk has room for
+  int share_ = 0;                     // entries a row has room for on average
 };
 
 }  // namespace cosurge::fluid

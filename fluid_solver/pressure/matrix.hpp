@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fluid_solver/rows.hpp"
+#include "fluid_solver/unfilled.hpp"
 
 namespace cosurge::fluid {
 
@@ -37,8 +38,8 @@ struct BlockRows {
   static constexpr int ahead = 32;  ///< blocks, of what is fetched into the caches
 
   Rows rows;                        ///< of blocks
-  std::vector<std::int32_t> first;  ///< column of the first weight of each block
-  std::vector<float> weight;        ///< `lanes` a block
+  Unfilled<std::int32_t> first;  ///< column of the first weight of each block
+  Unfilled<float> weight;        ///< `lanes` a block
 
   /// Numbers of a vector that `columns` are read from.
   static std::size_t padded(int columns) { return static_cast<std::size_t>(std::max(columns, lanes)); }
@@ -47,15 +48,15 @@ struct BlockRows {
   static int block_of(int column, int columns) { return std::max(0, std::min(column, columns - lanes)); }
 
   void make_room(std::int64_t blocks) {
-    first.resize(static_cast<std::size_t>(blocks));
-    weight.resize(static_cast<std::size_t>(blocks) * lanes);
+    first.make_room(static_cast<std::size_t>(blocks));
+    weight.make_room(static_cast<std::size_t>(blocks) * lanes);
   }
 
   /// Appends a weight to the row of blocks begin ... end; columns ascend.
   void append(int column, float w, int columns, std::int64_t begin, std::int64_t& end) {
     if (end == begin || column >= first[end - 1] + lanes) {
       first[end] = block_of(column, columns);
-      std::fill_n(weight.begin() + end * lanes, lanes, 0.0F);
+      std::fill_n(weight.data() + end * lanes, lanes, 0.0F);
       ++end;
     }
     weight[(end - 1) * lanes + column - first[end - 1]] = w;

@@ -289,7 +289,7 @@ TEST(Summary, OfARunThatNeverGotToAWindowIsStillJson) {
 
 TEST(ReplaceFile, SaysWhyItCannotWrite) {
   try {
-    replace_file("/nowhere/summary.json", "text");
+    replace_file("/nowhere/summary.json", {"text"});
     FAIL() << "a file was written nowhere";
   } catch (const Error& error) {
     EXPECT_THAT(error.what(), HasSubstr("No such file or directory"));
