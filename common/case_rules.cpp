@@ -358,9 +358,12 @@ void check_rules(const v1::Case& c, CaseErrors& errors) {
   if (c.has_coupling() && !(c.has_fluid() && c.has_solid()))
     errors.add("coupling", "only where there are a [fluid] and a [solid]");
   if (!check_shapes(c, errors)) return;
-  if (c.coupling().scheme() == v1::Coupling::weak_inertial && c.fluid().source() == v1::Fluid::deviation)
+  const auto scheme = c.coupling().scheme();
+  const bool inertial = scheme == v1::Coupling::weak_inertial || scheme == v1::Coupling::strong_inertial;
+  if (inertial && c.fluid().source() == v1::Fluid::deviation)
     errors.add("coupling.scheme",
-               "weak_inertial needs water that answers velocities: fluid.source must be mixed or time_scale");
+               fmt::format("{} needs water that answers velocities: fluid.source must be mixed or time_scale",
+                           v1::Coupling::Scheme_Name(scheme)));
   check_scene(c, errors);
   if (c.has_fluid()) check_fluid(c, errors);
   if (c.has_fluid()) check_motions(c.fluid(), errors);

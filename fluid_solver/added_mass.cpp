@@ -19,6 +19,11 @@ constexpr int refresh_interval = 4;
 
 constexpr int most_newton_steps = 30;
 
+// Of the accelerations, between those that a pressure was solved for and those that agree with it, where a
+// scheme iterates; a part of its own tolerance.
+constexpr double consistent = 1e-4;
+constexpr int most_answers = 5;
+
 }  // namespace
 
 Eigen::VectorXd consistent_accelerations(const ModalLoad& load) {
@@ -78,7 +83,8 @@ std::vector<double> AddedMass<dim>::last_pressure(const Step& step, std::size_t 
 template <int dim>
 std::vector<double> AddedMass<dim>::mode_pressure(const Step& step, std::size_t mode) {
   std::vector<double> p = last_pressure(step, mode);
-  if (windows_ != 0 && static_cast<int>(mode) % refresh_interval != windows_ % refresh_interval) return p;
+  const bool due = windows_ == 0 || static_cast<int>(mode) % refresh_interval == windows_ % refresh_interval;
+  if (!due || step.attempt > 1) return p;
   solve(step, right_hand_side(step, modes_[mode].shape), mode_tolerance, p);
   const std::vector<std::int32_t>& unknowns = step.poisson.unknowns();
   std::vector<double>& last = last_[mode];
@@ -127,6 +133,31 @@ auto AddedMass<dim>::wet_points(const Step& step) const -> std::vector<WetPoint>
 }
 
 template <int dim>
+ModalLoad AddedMass<dim>::modal_load(const Step& step, const std::vector<WetPoint>& points,
+                                     const std::vector<std::vector<double>>& mode_pressures) const {
+  const auto r = static_cast<Eigen::Index>(modes_.size());
+  const auto n = static_cast<Eigen::Index>(points.size());
+  ModalLoad load{.pressure = {},
+                 .per_acceleration = Eigen::MatrixXd(n, r),
+                 .on_modes = Eigen::MatrixXd(r, n),
+                 .mobility = Eigen::VectorXd(r),
+                 .predicted = Eigen::VectorXd(r),
+                 .lowest_pressure = step.lowest_pressure};
+  for (Eigen::Index m = 0; m < r; ++m) {
+    const Mode& mode = modes_[static_cast<std::size_t>(m)];
+    load.mobility[m] = mode.mobility / step.dt;
+    load.predicted[m] = mode.load;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const auto [point, u] = points[static_cast<std::size_t>(i)];
+      const Vec<dim> phi = mode.shape.col(static_cast<Eigen::Index>(point));
+      load.per_acceleration(i, m) = mode_pressures[static_cast<std::size_t>(m)][u];
+      load.on_modes(m, i) = -step.body_areas[point].dot(phi);
+    }
+  }
+  return load;
+}
+
+template <int dim>
 void AddedMass<dim>::couple(const Step& step, std::vector<double>& pressure) {
   ratio_ = 0;
   iterations_ = 0;
@@ -139,36 +170,26 @@ void AddedMass<dim>::couple(const Step& step, std::vector<double>& pressure) {
   const std::vector<WetPoint> points = wet_points(step);
   if (points.empty()) return;
 
-  const auto r = static_cast<Eigen::Index>(modes_.size());
-  const auto n = static_cast<Eigen::Index>(points.size());
-  ModalLoad load{.pressure = Eigen::VectorXd(n),
-                 .per_acceleration = Eigen::MatrixXd(n, r),
-                 .on_modes = Eigen::MatrixXd(r, n),
-                 .mobility = Eigen::VectorXd(r),
-                 .predicted = Eigen::VectorXd(r),
-                 .lowest_pressure = step.lowest_pressure};
-  std::vector<std::vector<double>> all;
-  for (std::size_t m = 0; m < modes_.size(); ++m) all.push_back(mode_pressure(step, m));
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const auto [point, u] = points[static_cast<std::size_t>(i)];
-    load.pressure[i] = pressure[u];
-    for (Eigen::Index m = 0; m < r; ++m) {
-      load.per_acceleration(i, m) = all[static_cast<std::size_t>(m)][u];
-      const Vec<dim> phi = modes_[static_cast<std::size_t>(m)].shape.col(static_cast<Eigen::Index>(point));
-      load.on_modes(m, i) = -step.body_areas[point].dot(phi);
-    }
+  std::vector<std::vector<double>> mode_pressures;
+  for (std::size_t m = 0; m < modes_.size(); ++m) mode_pressures.push_back(mode_pressure(step, m));
+  ModalLoad load = modal_load(step, points, mode_pressures);
+  ratio_ = -load.mobility.cwiseProduct((load.on_modes * load.per_acceleration).diagonal()).minCoeff();
+  ratio_ = std::max(ratio_, 0.0);
+
+  Eigen::VectorXd c = Eigen::VectorXd::Zero(load.mobility.size());
+  for (int k = 0; k < (step.attempt > 0 ? most_answers : 1); ++k) {
+    load.pressure = -load.per_acceleration * c;  // and what the motion with c has
+    for (std::size_t i = 0; i < points.size(); ++i)
+      load.pressure[static_cast<Eigen::Index>(i)] += pressure[points[i].unknown];
+    const Eigen::VectorXd next = consistent_accelerations(load);
+    if (k > 0 && (next - c).norm() <= consistent * next.norm()) break;
+    for (std::size_t m = 0; m < modes_.size(); ++m)
+      for (std::size_t u = 0; u < pressure.size(); ++u)
+        pressure[u] += (next - c)[static_cast<Eigen::Index>(m)] * mode_pressures[m][u];
+    c = next;
+    answer(step, c, pressure);
   }
-  for (Eigen::Index m = 0; m < r; ++m) {
-    load.mobility[m] = modes_[static_cast<std::size_t>(m)].mobility / step.dt;
-    load.predicted[m] = modes_[static_cast<std::size_t>(m)].load;
-    ratio_ = std::max(ratio_, -load.mobility[m] * load.on_modes.row(m).dot(load.per_acceleration.col(m)));
-  }
-  const Eigen::VectorXd c = consistent_accelerations(load);
-  for (Eigen::Index m = 0; m < r; ++m)
-    for (std::size_t k = 0; k < pressure.size(); ++k)
-      pressure[k] += c[m] * all[static_cast<std::size_t>(m)][k];
-  answer(step, c, pressure);
-  ++windows_;
+  if (step.attempt <= 1) ++windows_;
 }
 
 template <int dim>

@@ -28,7 +28,8 @@ struct ModalLoad {
 Eigen::VectorXd consistent_accelerations(const ModalLoad& load);
 
 /// Solves for the pressure of the modes with the matrix of the step, each from its last pressure and in every
-/// fourth window, in turn; and once more for the pressure of the motion that the modes get by it.
+/// fourth window, in turn; and once more for the pressure of the motion that the modes get by it. Where the
+/// scheme iterates over the window, until load and motion agree: the pressures of the modes are a little old.
 template <int dim>
 class AddedMass {
  public:
@@ -43,6 +44,7 @@ class AddedMass {
     Preconditioner& preconditioner;
     double source_per_divergence;  ///< of the pressure equation's source [kg/(m3 s)]
     double dt;
+    std::uint32_t attempt;   ///< at the window; 0: it is not gone through again
     double tolerance;        ///< of the pressure's relative residual
     double lowest_pressure;  ///< what is below is cut off [Pa]
   };
@@ -68,6 +70,8 @@ class AddedMass {
   };
 
   std::vector<WetPoint> wet_points(const Step& step) const;
+  ModalLoad modal_load(const Step& step, const std::vector<WetPoint>& points,
+                       const std::vector<std::vector<double>>& mode_pressures) const;
   std::vector<double> last_pressure(const Step& step, std::size_t mode) const;
   std::vector<double> mode_pressure(const Step& step, std::size_t mode);
   void solve(const Step& step, const std::vector<double>& right_hand_side, double tolerance,

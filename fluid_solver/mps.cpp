@@ -116,7 +116,7 @@ StepReport Mps<dim>::step(double start, double dt, std::uint32_t attempt) {
   }
   if (attempt <= 1) assemble(dt);
   set_source(dt);
-  const SolveReport pressure = solve_pressure(start, dt, attempt > 0 ? precise : 1);
+  const SolveReport pressure = solve_pressure(start, dt, attempt);
   correct(dt);  // u = u* - dt / rho grad p, x = x* + dt (u - u*)
   if (parameters_.shifting() > 0) shift(dt);
   StepReport report = survey(start + dt);
@@ -239,11 +239,11 @@ void Mps<dim>::assemble(double dt) {
 }
 
 template <int dim>
-SolveReport Mps<dim>::solve_pressure(double start, double dt, double precision) {
+SolveReport Mps<dim>::solve_pressure(double start, double dt, std::uint32_t attempt) {
   clock_.enter(solving);
   const auto& unknowns = poisson_.unknowns();
   const v1::Pressure& choice = parameters_.pressure();
-  const double tolerance = precision * choice.tolerance();
+  const double tolerance = (attempt > 0 ? precise : 1) * choice.tolerance();
   SolveReport report;
   if (!unknowns.empty()) {
     report = conjugate_gradient(poisson_.matrix(), poisson_.right_hand_side(), *preconditioner_, tolerance,
@@ -263,6 +263,7 @@ SolveReport Mps<dim>::solve_pressure(double start, double dt, double precision) 
                       .preconditioner = *preconditioner_,
                       .source_per_divergence = source_per_divergence(dt),
                       .dt = dt,
+                      .attempt = attempt,
                       .tolerance = tolerance,
                       .lowest_pressure = parameters_.lowest_pressure()},
                      pressure_);

@@ -78,7 +78,7 @@ class Mps {
   double unbiased_deviation(int i, double smooth) const;
   double rate(double dt) const;
   double source_per_divergence(double dt) const;
-  SolveReport solve_pressure(double start, double dt, double precision);
+  SolveReport solve_pressure(double start, double dt, std::uint32_t attempt);
   Vec<dim> pressure_gradient(int i) const;
   void correct(double dt);
   void shift(double dt);

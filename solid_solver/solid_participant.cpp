@@ -42,7 +42,9 @@ Setup SolidParticipant::initialize(const v1::Case& the_case, Interface& interfac
   H_ = model_->interpolation(interface.position, interface.body);
   place_probes(the_case);
   const auto scheme = the_case.coupling().scheme();
-  if (scheme == v1::Coupling::weak_inertial || scheme == v1::Coupling::auto_) find_modes(the_case, interface);
+  if (scheme == v1::Coupling::weak_inertial || scheme == v1::Coupling::strong_inertial ||
+      scheme == v1::Coupling::auto_)
+    find_modes(the_case, interface);
 
   const Surface loaded = surface;
   surface = Surface::at_rest(dimension_, interface.points());

@@ -14,6 +14,7 @@ std::unique_ptr<Scheme> make_scheme(const v1::Coupling& coupling, Participants p
     case v1::Coupling::weak:
       return std::make_unique<Weak>(coupling, participants);
     case v1::Coupling::strong:
+    case v1::Coupling::strong_inertial:
       return std::make_unique<Strong>(coupling, participants);
     case v1::Coupling::weak_inertial:
       return std::make_unique<WeakInertial>(participants);

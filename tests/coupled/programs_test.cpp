@@ -189,12 +189,15 @@ TEST_F(Programs, AnInterruptedRunResumesToTheSameBits) {
 }
 
 TEST_F(Programs, AnInterruptedRunWithTheAddedMassOfModesResumesToTheSameBits) {
-  const std::vector<std::string> words = {"--set", "coupling.scheme=weak_inertial", "coupling.velocity=end",
-                                          "fluid.source=mixed", "solid.model=modal"};
-  run_whole_and_cut(words);
-  const auto results = read_results(folder("whole"));
-  const std::vector<double>& ratio = results.at("/history/fluid/modes_mass_ratio");
-  EXPECT_GT(*std::max_element(ratio.begin(), ratio.end()), 0.05) << "the water must have reached the plate";
+  for (const std::string scheme : {"weak_inertial", "strong_inertial"}) {
+    run_whole_and_cut({"--set", "coupling.scheme=" + scheme, "coupling.velocity=end", "fluid.source=mixed",
+                       "solid.model=modal"});
+    const auto results = read_results(folder("whole"));
+    const std::vector<double>& ratio = results.at("/history/fluid/modes_mass_ratio");
+    EXPECT_GT(*std::max_element(ratio.begin(), ratio.end()), 0.05) << "the water must have reached the plate";
+    fs::remove_all(folder("whole"));
+    fs::remove_all(folder("cut"));
+  }
 }
 
 TEST_F(Programs, TheSelftestAgreesWithTheory) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "coupler/schemes/inertial.hpp"
+
 namespace cosurge {
 namespace {
 
@@ -18,6 +20,7 @@ Strong::Strong(const v1::Coupling& coupling, Participants participants)
     : tolerance_(coupling.iteration().tolerance()),
       iterations_(coupling.iteration().limit()),
       participants_(participants),
+      inertial_(coupling.scheme() == v1::Coupling::strong_inertial),
       prediction_(coupling.prediction()),
       relaxation_(make_relaxation(coupling.iteration())) {}
 
@@ -25,12 +28,20 @@ Reports Strong::advance(const Window& window, Surface& surface, InterfaceAccount
   account.open(surface);
   const Surface start = surface;
   Field velocity = prediction_.next(start.velocity, window);
+  if (inertial_) {
+    predict_motion(participants_, window, surface);
+    velocity = surface.velocity;
+    modes_ = std::move(surface.modes);
+  }
   Pass last, nearest;
   Reports reports;
   effort_ = {.iterations = 0, .residual = 0, .note = {}, .converged = false};
   while (!effort_.converged && effort_.iterations < iterations_) {
     reports = pass(window, start, velocity, surface);
-    const Pass now{.seen = velocity, .answer = surface.velocity, .force = surface.force};
+    const Pass now{.asked = velocity,
+                   .seen = velocity + velocity_of(modes_, surface.force),
+                   .answer = surface.velocity,
+                   .force = surface.force};
     if (effort_.iterations > 1) learn(now, last);
     effort_.residual = relative(now.residual(), scale_of(now.answer, start.velocity));
     effort_.converged = effort_.residual == 0 ||
@@ -39,15 +50,16 @@ Reports Strong::advance(const Window& window, Surface& surface, InterfaceAccount
     if (nearest.seen.size() == 0 || now.residual() < nearest.residual()) nearest = now;
     last = now;
     if (!effort_.converged)
-      velocity.reshaped() = relaxation_->next(velocity.reshaped(), (surface.velocity - velocity).reshaped());
+      velocity.reshaped() = relaxation_->next(velocity.reshaped(), (now.answer - now.seen).reshaped());
   }
   if (!effort_.converged) {
-    reports = pass(window, start, nearest.seen, surface);
+    reports = pass(window, start, nearest.asked, surface);
     last = nearest;
   }
   relaxation_->end_window();
   account.close(surface, last.seen, window);
   prediction_.passed(start.velocity, window);
+  if (inertial_) ratio_.passed(surface.velocity, window);
   return reports;
 }
 
@@ -56,8 +68,10 @@ Reports Strong::pass(const Window& window, const Surface& start, const Field& ve
   attempt.attempt = static_cast<std::uint32_t>(++effort_.iterations);
   surface = start;
   surface.velocity = velocity;
-  Reports reports = {participants_.fluid->advance(attempt, surface),
-                     participants_.solid->advance(attempt, surface)};
+  surface.modes = modes_;
+  Reports reports = {participants_.fluid->advance(attempt, surface)};
+  if (inertial_) ++attempt.attempt;  // the first was the answer to the last load
+  reports.push_back(participants_.solid->advance(attempt, surface));
   has_modes_ = has_modes_ || !surface.modes.empty();
   surface.modes.clear();
   return reports;
@@ -68,7 +82,7 @@ void Strong::learn(const Pass& now, const Pass& last) {
   const double steepness = (now.force - last.force).norm() / change.norm();
   const bool first = effort_.iterations == 2;
   stiffness_ = first ? steepness : std::max(stiffness_, steepness);
-  if (first) ratio_.iterated(change, now.answer - last.answer);
+  if (first && !inertial_) ratio_.iterated(change, now.answer - last.answer);
 }
 
 void Strong::save(StateWriter& state) const {

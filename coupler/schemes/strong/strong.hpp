@@ -14,6 +14,11 @@ namespace cosurge {
 /// and the load is a smooth function of the velocity but for suction, which is cut off. Where the iterations
 /// run out, the window is gone through once more with the velocity that was nearest, and the effort says so.
 /// Where nothing moves, one iteration is enough.
+///
+/// `strong_inertial` gives the water the structure's modes besides, as `weak_inertial` does: it sees the
+/// velocity x + R (f - f_0), f its own load and R the modes' mobility, and what is iterated is x. At the end
+/// it sees what the structure answers, whatever R; but only what the modes do not tell is left to the
+/// iteration.
 class Strong : public Scheme {
  public:
   Strong(const v1::Coupling& coupling, Participants participants);
@@ -30,7 +35,8 @@ class Strong : public Scheme {
  private:
   /// Once through the window, by both.
   struct Pass {
-    Field seen;    // velocity that the water saw
+    Field asked;   // velocity that the water was given
+    Field seen;    // that it saw: with what the modes answer to its own load
     Field answer;  // of the structure
     Field force;
     double residual() const { return (answer - seen).norm(); }
@@ -41,6 +47,8 @@ class Strong : public Scheme {
   double tolerance_;
   int iterations_;
   Participants participants_;
+  bool inertial_;
+  std::vector<Mode> modes_;  // of this window; none without inertial_
   Prediction prediction_;
   std::unique_ptr<Relaxation> relaxation_;
   bool has_modes_ = false;

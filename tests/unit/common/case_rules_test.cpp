@@ -175,10 +175,12 @@ TEST(CaseRules, CouplingNeedsBothAFluidAndASolid) {
 
 TEST(CaseRules, AddedMassNeedsWaterThatAnswersVelocities) {
   const CaseText text;
-  const std::vector<std::string> words = {"coupling.scheme=weak_inertial", "fluid.source=deviation"};
-  EXPECT_THAT(errors_of(text.file(), words),
-              HasSubstr("coupling.scheme: weak_inertial needs water that answers velocities"));
-  EXPECT_EQ(errors_of(text.file(), {words[0]}), "");
+  for (const std::string scheme : {"weak_inertial", "strong_inertial"}) {
+    const std::string word = "coupling.scheme=" + scheme;
+    EXPECT_THAT(errors_of(text.file(), {word, "fluid.source=deviation"}),
+                HasSubstr("coupling.scheme: " + scheme + " needs water that answers velocities"));
+    EXPECT_EQ(errors_of(text.file(), {word}), "");
+  }
 }
 
 TEST(CaseRules, WithoutGravityATimeScaleNeedsItsSpeed) {

@@ -154,5 +154,55 @@ TEST(StrongCoupling, CreatesNoEnergyAtTheInterface) {
   EXPECT_LT(std::abs(run.value("work_created")), 1e-3 * gross);
 }
 
+v1::Coupling strong_inertial() {
+  v1::Coupling coupling = strong(v1::Iteration::iqn_ils);
+  coupling.set_scheme(v1::Coupling::strong_inertial);
+  return coupling;
+}
+
+TEST(StrongInertial, NeedsOneIterationWhereTheModesTellAll) {
+  v1::Coupling coupling = strong_inertial();
+  coupling.set_velocity(v1::Coupling::end);
+  for (const double ratio : {0.1, 1.0, 50.0, 1000.0}) {
+    Piston piston = piston_of(ratio);
+    piston.substeps = 1;  // of symplectic Euler: answers a load by dt / m exactly
+    piston.tells_mode = true;
+    PistonRun run(piston, coupling, 6e-3);
+    run.run(1000);
+    // 105 windows a period, as without modes.
+    EXPECT_NEAR(run.frequency(), piston.wet_frequency(), 1e-2 * piston.wet_frequency()) << ratio;
+    EXPECT_EQ(run.value("iterations"), 1) << ratio;
+    EXPECT_EQ(run.coupler->unconverged(), 0U) << ratio;
+  }
+}
+
+TEST(StrongInertial, FindsWhatStrongFindsWhateverTheModesSay) {
+  // The mean velocity over many sub-steps answers half of what the mode tells.
+  for (const double ratio : {0.5, 7.0}) {
+    Piston piston = piston_of(ratio);
+    piston.tells_mode = true;
+    v1::Coupling with = strong_inertial(), without = strong(v1::Iteration::iqn_ils);
+    for (v1::Coupling* coupling : {&with, &without}) coupling->mutable_iteration()->set_tolerance(1e-10);
+    PistonRun a(piston, with), b(piston, without);
+    a.run(200);
+    b.run(200);
+    for (std::size_t k = 0; k < a.history.pressure.size(); ++k)
+      ASSERT_NEAR(a.history.pressure[k], b.history.pressure[k], 1e-4)  // of 5 kPa, after 200 tolerances
+          << "window " << k << ", ratio " << ratio;
+  }
+}
+
+TEST(StrongInertial, GoesOnBitForBitFromASavedState) {
+  Piston piston = piston_of(3);
+  piston.tells_mode = true;
+  PistonRun whole(piston, strong_inertial()), first(piston, strong_inertial()),
+      second(piston, strong_inertial());
+  whole.run(60);
+  first.run(30);
+  second.coupler->restore(first.coupler->save());
+  second.run(30);
+  EXPECT_EQ(second.coupler->save(), whole.coupler->save());
+}
+
 }  // namespace
 }  // namespace cosurge

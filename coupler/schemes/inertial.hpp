@@ -1,0 +1,23 @@
+// What the schemes that take the structure's added mass along have in common.
+#pragma once
+
+#include "coupler/scheme.hpp"
+
+namespace cosurge {
+
+/// The solid's first attempt at a window: under the load of the surface. Fills its motion and its modes.
+inline void predict_motion(const Participants& participants, const Window& window, Surface& surface) {
+  Window attempt = window;
+  attempt.attempt = 1;
+  participants.solid->advance(attempt, surface);
+}
+
+/// What modes add to the velocity by another load than that of the prediction [m/s].
+inline Field velocity_of(const std::vector<Mode>& modes, const Field& force) {
+  Field velocity = Field::Zero(force.rows(), force.cols());
+  for (const Mode& mode : modes)
+    velocity += mode.mobility * (mode.shape.cwiseProduct(force).sum() - mode.load) * mode.shape;
+  return velocity;
+}
+
+}  // namespace cosurge
