@@ -78,6 +78,13 @@ class StateReader {
     copy(part.data(), part.size());
   }
 
+  /// @throws Error unless so many rows and columns of entries may follow.
+  void expect(std::int64_t rows, std::int64_t columns, std::size_t size_of_entry) const {
+    const auto most = static_cast<std::int64_t>(rest_.size() / size_of_entry);
+    require(rows >= 0 && columns >= 0 && (rows == 0 || columns <= most / rows),
+            "saved state: too short; it is of another case or build");
+  }
+
   void finish() const {
     require(rest_.empty(), "saved state: {} bytes too many; it is of another case or build", rest_.size());
   }
@@ -114,6 +121,7 @@ void get_sized(StateReader& state, Matrix& values) {
   std::int64_t columns = 0;
   state.get(rows);
   state.get(columns);
+  state.expect(rows, columns, sizeof(*values.data()));
   values.resize(rows, columns);
   state.get(values);
 }

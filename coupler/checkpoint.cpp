@@ -16,7 +16,9 @@ namespace {
 
 constexpr double rounding = 1e-9;  // s: rows of the checkpoint's own window are at its time, to the bit
 
-std::string signature() { return fmt::format("cosurge checkpoint {}", version); }
+constexpr int layout = 2;  // of states: to be raised whenever what is saved, or its order, changes
+
+std::string signature() { return fmt::format("cosurge checkpoint {}, layout {}", version, layout); }
 
 std::vector<double> column(const H5::H5File& file, const std::string& name) {
   const H5::DataSet dataset = file.openDataSet(name);
@@ -99,7 +101,7 @@ Checkpoint Checkpoint::read(const std::filesystem::path& folder) {
   std::string serialized;
   Checkpoint checkpoint;
   bytes.get(found);
-  require(found == signature(), "{}: is not of {}", path.string(), signature());
+  require(found == signature(), "{}: it is of another case or build, not of {}", path.string(), signature());
   bytes.get(serialized);
   bytes.get(checkpoint.time);
   bytes.get(checkpoint.state);

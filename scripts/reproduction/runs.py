@@ -83,6 +83,7 @@ VARIANTS = {  # by label: settings in place of the recommended ones
     "modal": {"solid.model": "modal"},
     "strong": {"coupling.scheme": "strong", "coupling.iteration.relaxation": "aitken"},
     "weak_inertial": {"coupling.scheme": "weak_inertial", "coupling.velocity": "end"},
+    "strong_inertial": {"coupling.scheme": "strong_inertial", "coupling.velocity": "end"},
     "paper": PAPER | {"solid.mps.substep": 1e-6},
 }
 
