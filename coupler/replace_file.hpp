@@ -7,7 +7,8 @@
 
 namespace cosurge {
 
-/// Writes `parts` one behind the other beside `path` and renames: whoever opens `path`, at any time, gets the old text or the new.
+/// Writes `parts` one behind the other beside `path` and renames: whoever opens `path`, at any time, gets the
+/// old text or the new.
 /// @throws Error when it cannot be written.
 void replace_file(const std::filesystem::path& path, std::initializer_list<std::string_view> parts);
 

@@ -37,7 +37,7 @@ struct BlockRows {
   static constexpr int lanes = 8;
   static constexpr int ahead = 32;  ///< blocks, of what is fetched into the caches
 
-  Rows rows;                        ///< of blocks
+  Rows rows;                     ///< of blocks
   Unfilled<std::int32_t> first;  ///< column of the first weight of each block
   Unfilled<float> weight;        ///< `lanes` a block
 
