@@ -27,7 +27,7 @@ class Rows {
   void fill(int rows, int expected, int most, Prepare&& prepare, Fill&& fill_row) {
     const int chunks = (rows + chunk - 1) / chunk;
     rows_ = rows;
-    offset_.resize(static_cast<std::size_t>(rows + chunks));
+    offset_.resize(static_cast<std::size_t>(rows) + static_cast<std::size_t>(chunks));
     share_ = std::max(share_, expected);
     for (bool full = true; full; share_ = full ? 2 * share_ : share_) {
       stretch_ = static_cast<std::int64_t>(chunk) * share_ + most;

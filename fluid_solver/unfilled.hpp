@@ -10,11 +10,6 @@ namespace cosurge::fluid {
 /// Constructs numbers without a value.
 template <typename T>
 struct UnfilledAllocator : std::allocator<T> {
-  template <typename U>
-  struct rebind {
-    using other = UnfilledAllocator<U>;
-  };
-
   void construct(T* number) noexcept { ::new (static_cast<void*>(number)) T; }
 };
 

@@ -71,7 +71,7 @@ struct BlockRows {
     std::int64_t b = rows.begin(i);
     const float* w = weight.data() + b * lanes;
     for (; b + 2 <= end; b += 2, w += 2 * std::ptrdiff_t{lanes}) {
-      __builtin_prefetch(w + ahead * lanes);
+      __builtin_prefetch(w + std::ptrdiff_t{ahead} * lanes);
       even += term(load<Floats>(w), first[b]);
       odd += term(load<Floats>(w + lanes), first[b + 1]);
     }
