@@ -225,7 +225,7 @@ def draw(out, numbers, found):
             pictures[f"{name}_{tag}"] = figures.fig6_filtered(histories, name)
         pictures[f"impulses_{tag}"] = figures.fig8_impulses(rows)
         pictures[f"tips_{tag}"] = figures.fig9_tips(histories, rows)
-        if spacing == "1mm" or not numbers.family(settings, "1mm"):
+        if spacing == max(("1mm", "2mm"), key=lambda finest: len(numbers.family(settings, finest))):
             pictures[f"speeds_{tag}"] = figures.fig10_speeds(
                 {label: folder / f"stiffness_{settings}_{label}_{spacing}" for label in rows})
     for name, figure in pictures.items():
