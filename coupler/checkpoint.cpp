@@ -85,7 +85,7 @@ void Checkpoint::write(const std::filesystem::path& folder) const {
   head.put(signature());
   head.put(the_case.SerializeAsString());
   head.put(time);
-  head.put(static_cast<std::uint64_t>(state.size()));
+  head.put(static_cast<std::uint64_t>(state.size()));  // as a string is put, but that it is not copied
   replace_file(folder / name, {head.take(), state});
 }
 

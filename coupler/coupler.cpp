@@ -80,6 +80,7 @@ void Coupler::go_back() {
   waiting_.clear();
   StateReader state(settled_);
   restore_all_but_scheme(state);
+  state.finish();
 }
 
 void Coupler::tell(const Observers& observers) {

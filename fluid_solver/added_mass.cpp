@@ -20,7 +20,7 @@ constexpr int refresh_interval = 4;
 constexpr int most_newton_steps = 30;
 
 // Of the accelerations, between those that a pressure was solved for and those that agree with it, where a
-// scheme iterates; a part of its own tolerance.
+// scheme iterates: a tenth of what its tolerance is by default.
 constexpr double consistent = 1e-4;
 constexpr int most_answers = 5;
 
@@ -173,8 +173,8 @@ void AddedMass<dim>::couple(const Step& step, std::vector<double>& pressure) {
   std::vector<std::vector<double>> mode_pressures;
   for (std::size_t m = 0; m < modes_.size(); ++m) mode_pressures.push_back(mode_pressure(step, m));
   ModalLoad load = modal_load(step, points, mode_pressures);
-  ratio_ = -load.mobility.cwiseProduct((load.on_modes * load.per_acceleration).diagonal()).minCoeff();
-  ratio_ = std::max(ratio_, 0.0);
+  ratio_ = std::max(
+      0.0, -load.mobility.cwiseProduct((load.on_modes * load.per_acceleration).diagonal()).minCoeff());
 
   Eigen::VectorXd c = Eigen::VectorXd::Zero(load.mobility.size());
   for (int k = 0; k < (step.attempt > 0 ? most_answers : 1); ++k) {
@@ -183,9 +183,10 @@ void AddedMass<dim>::couple(const Step& step, std::vector<double>& pressure) {
       load.pressure[static_cast<Eigen::Index>(i)] += pressure[points[i].unknown];
     const Eigen::VectorXd next = consistent_accelerations(load);
     if (k > 0 && (next - c).norm() <= consistent * next.norm()) break;
-    for (std::size_t m = 0; m < modes_.size(); ++m)
-      for (std::size_t u = 0; u < pressure.size(); ++u)
-        pressure[u] += (next - c)[static_cast<Eigen::Index>(m)] * mode_pressures[m][u];
+    for (std::size_t m = 0; m < modes_.size(); ++m) {
+      const double change = (next - c)[static_cast<Eigen::Index>(m)];
+      for (std::size_t u = 0; u < pressure.size(); ++u) pressure[u] += change * mode_pressures[m][u];
+    }
     c = next;
     answer(step, c, pressure);
   }

@@ -27,12 +27,11 @@ Strong::Strong(const v1::Coupling& coupling, Participants participants)
 Reports Strong::advance(const Window& window, Surface& surface, InterfaceAccount& account) {
   account.open(surface);
   const Surface start = surface;
-  Field velocity = prediction_.next(start.velocity, window);
   if (inertial_) {
     predict_motion(participants_, window, surface);
-    velocity = surface.velocity;
     modes_ = std::move(surface.modes);
   }
+  Field velocity = inertial_ ? surface.velocity : prediction_.next(start.velocity, window);
   Pass last, nearest;
   Reports reports;
   effort_ = {.iterations = 0, .residual = 0, .note = {}, .converged = false};
