@@ -25,6 +25,8 @@ void Mps<dim>::set_source(double dt) {
   const bool paper = parameters_.source() == v1::Fluid::deviation;
   const Vec<dim> kick = dt * gravity_;
   const auto& unknowns = poisson_.unknowns();
+  std::vector<double> wide;
+  if (!paper) wide = poisson_.divergence(particles_, neighbors_.grid(), kick);
   source_.assign(static_cast<std::size_t>(particles_.size()), 0.0);
 #pragma omp parallel for schedule(dynamic, Rows::chunk)
   for (std::size_t m = 0; m < unknowns.size(); ++m) {
@@ -34,7 +36,8 @@ void Mps<dim>::set_source(double dt) {
       in.deviation = near_deviation(i);
     } else {
       in.deviation = unbiased_deviation(i, poisson_.deviation()[m]);
-      in.divergence = divergence(particles_, neighbors_, i, reference_.n0, kick);
+      in.divergence =
+          std::isnan(wide[m]) ? divergence(particles_, neighbors_, i, reference_.n0, kick) : wide[m];
     }
     source_[i] = source(in);
   }

@@ -72,10 +72,25 @@ void PoissonEquation<dim>::number_unknowns(const Particles<dim>& particles, cons
   rank_.push_back(size);
   cells_.first.push_back(size);
   cells_.of_unknown.push_back(cells_.size());
-  for (int k = 0; k < dim; ++k) {
-    x_[k].resize(place_.size() + Matrix::lanes);
-    for (std::size_t m = 0; m < place_.size(); ++m) x_[k][m] = particles.x[place_[m]][k];
+  x_ = in_lines([&](int i) { return particles.x[i]; });
+}
+
+/// value(place) of each unknown.
+template <int dim>
+template <typename Value>
+auto PoissonEquation<dim>::in_lines(Value&& value) const -> Lines {
+  Lines lines;
+  for (auto& line : lines) line.resize(place_.size() + Matrix::lanes);
+  for (std::size_t m = 0; m < place_.size(); ++m) {
+    const Vec<dim> v = value(place_[m]);
+    for (int k = 0; k < dim; ++k) lines[k][m] = v[k];
   }
+  return lines;
+}
+
+template <int dim>
+int PoissonEquation<dim>::reach(const CellGrid<dim>& grid) const {
+  return static_cast<int>(std::ceil(parameters_.re * (1 - 1e-9) / grid.cell_size()));
 }
 
 /// Lists for each cell the lines of cells around it.
@@ -96,16 +111,16 @@ void PoissonEquation<dim>::list_cells(const CellGrid<dim>& grid, int reach) {
 template <int dim>
 void PoissonEquation<dim>::assemble(const Particles<dim>& particles, const CellGrid<dim>& grid,
                                     const std::vector<Vec<dim>>& areas, double dt) {
-  const int reach = static_cast<int>(std::ceil(parameters_.re * (1 - 1e-9) / grid.cell_size()));
   number_unknowns(particles, grid);
-  list_cells(grid, reach);
+  list_cells(grid, reach(grid));
   const double scale = reference_.lambda0 * reference_.n0 / (2 * dim);
   const double stiffness = scale * parameters_.compressibility * parameters_.density / (dt * dt);
-  const Assembly assembly{.particles = particles, .grid = grid, .areas = areas, .reach = reach};
+  const Assembly assembly{.particles = particles, .grid = grid, .areas = areas, .reach = reach(grid)};
   A_.own.resize(place_.size());
   A_.diagonal.resize(place_.size());
   wall_.resize(place_.size());
   deviation_.resize(place_.size());
+  sight_.resize(place_.size());
   const auto fill = [&](int k, std::int64_t begin) {
     const Row row = fill_row(assembly, k, begin);
     double weights = 0;
@@ -115,7 +130,8 @@ void PoissonEquation<dim>::assemble(const Particles<dim>& particles, const CellG
     wall_[k] = row.wall;
     double smooth = 1 + row.others;
     for (int lane = 0; lane < Matrix::lanes; ++lane) smooth += static_cast<double>(row.smooth[lane]);
-    deviation_[k] = row.diagonal > 0 ? std::nan("") : smooth / reference_.smooth0 - 1;
+    sight_[k] = row.sight;
+    deviation_[k] = row.sight == Sight::surface ? std::nan("") : smooth / reference_.smooth0 - 1;
     return row.end - begin;
   };
   const auto room = [&](std::int64_t blocks) { A_.make_room(blocks); };
@@ -127,6 +143,55 @@ template <int dim>
 void PoissonEquation<dim>::set_source(const std::vector<double>& source) {
   b_ = rows_of(source);
   for (std::size_t k = 0; k < place_.size(); ++k) b_[k] += wall_[k];
+}
+
+template <int dim>
+std::vector<double> PoissonEquation<dim>::divergence(const Particles<dim>& particles,
+                                                     const CellGrid<dim>& grid, const Vec<dim>& kick) const {
+  const Lines u = in_lines([&](int i) {
+    return Vec<dim>(particles.kind[i] == Kind::fluid ? particles.u[i] : particles.u[i] + kick);
+  });
+  const double per_sum = dim / (reference_.lambda0 * reference_.n0);
+  std::vector<double> divergence(place_.size(), std::nan(""));
+#pragma omp parallel for schedule(dynamic, Rows::chunk)
+  for (std::size_t m = 0; m < place_.size(); ++m) {
+    const auto k = static_cast<int>(m);
+    if (particles.kind[place_[m]] != Kind::fluid || sight_[m] > Sight::dummies) continue;
+    double sum = A_.template sum<Doubles>(
+        k, [&](const Floats& weights, int column) { return parting(u, k, weights, column); });
+    if (sight_[m] == Sight::dummies) sum += parting_of_dummies(particles, grid, place_[m], kick);
+    divergence[m] = per_sum * sum;
+  }
+  return divergence;
+}
+
+/// w_ij (u_j - u_i) . x_ij of unknown k and a block of others.
+template <int dim>
+Doubles PoissonEquation<dim>::parting(const Lines& velocity, int k, const Floats& weights, int column) const {
+  Doubles sum{};
+  for (int d = 0; d < dim; ++d) {
+    const double* u = velocity[d].data();
+    const double* x = x_[d].data();
+    sum += (load<Doubles>(u + column) - u[k]) * (load<Doubles>(x + column) - x[k]);
+  }
+  return __builtin_convertvector(weights, Doubles) * sum;
+}
+
+/// The same, summed over the dummies that particle i sees.
+template <int dim>
+double PoissonEquation<dim>::parting_of_dummies(const Particles<dim>& particles, const CellGrid<dim>& grid,
+                                                int i, const Vec<dim>& kick) const {
+  double sum = 0;
+  grid.ranges(grid.cell_of(particles.x[i]), reach(grid), [&](std::int32_t first, std::int32_t last) {
+    for (int m = first - rank_[first]; m < last - rank_[last]; ++m) {
+      const int j = other_[m];
+      const Vec<dim> x_ij = particles.x[j] - particles.x[i];
+      const auto w = static_cast<double>(
+          weight_of(static_cast<float>(x_ij.squaredNorm()), static_cast<float>(parameters_.re)));
+      sum += w * (particles.u[j] + kick - particles.u[i]).dot(x_ij);
+    }
+  });
+  return sum;
 }
 
 template <int dim>
@@ -211,6 +276,7 @@ void PoissonEquation<dim>::hide_behind_bodies(const Assembly& assembly, int firs
   for (int k = 0; k < count; ++k) {
     if (weights[k] == 0) continue;
     const int j = place_[first + k];
+    if (on_body || particles.kind[j] == Kind::body_surface) row.see(Sight::bodies);
     const Vec<dim> x_ij = particles.x[j] - particles.x[row.i];
     const double r = x_ij.norm();
     const bool hidden = (on_body && behind<dim>(assembly.areas[row.i], x_ij, r)) ||
@@ -241,8 +307,10 @@ void PoissonEquation<dim>::add_others(const Assembly& assembly, int first, int l
     if (wall) {
       row.wall += w * parameters_.density * parameters_.gravity.dot(x_ij);
       row.others += smooth_share(w);
+      row.see(of_body(particles.kind[j]) ? Sight::bodies : Sight::dummies);
     } else {
       row.diagonal += w;
+      row.see(Sight::surface);
     }
   }
 }

@@ -39,6 +39,12 @@ class PoissonEquation {
   /// told from thin water there.
   const std::vector<double>& deviation() const { return deviation_; }
 
+  /// Divergence of the velocity with the equation's own weights, eq. (10b), at each unknown [1/s]; NaN at
+  /// those that are no water, or have a free surface or a body within the radius. `kick` is added to what
+  /// walls have.
+  std::vector<double> divergence(const Particles<dim>& particles, const CellGrid<dim>& grid,
+                                 const Vec<dim>& kick) const;
+
   /// The right-hand side of a source alone, without gravity at walls.
   std::vector<double> rows_of(const std::vector<double>& source) const;
 
@@ -48,6 +54,9 @@ class PoissonEquation {
   const std::vector<std::int32_t>& unknowns() const { return place_; }  ///< place of each unknown's particle
 
  private:
+  /// A vector for each unknown, coordinate by coordinate, and room for whole lanes.
+  using Lines = std::array<std::vector<double>, dim>;
+
   /// What the rows of one assembly share.
   struct Assembly {
     const Particles<dim>& particles;
@@ -55,6 +64,10 @@ class PoissonEquation {
     const std::vector<Vec<dim>>& areas;
     int reach;  ///< cells to each side that a row looks at
   };
+
+  /// What an unknown has within the radius, beside water and points of walls that are unknowns: the last that
+  /// holds.
+  enum class Sight : std::uint8_t { water, dummies, bodies, surface };
 
   /// A row while it is filled.
   struct Row {
@@ -65,6 +78,9 @@ class PoissonEquation {
     double wall = 0;      ///< of the Neumann terms
     Floats smooth{};      ///< sums of shares in the smooth density, by lane
     double others = 0;    ///< the same, of what is no unknown or hidden behind a body
+    Sight sight = Sight::water;
+
+    void see(Sight what) { sight = std::max(sight, what); }
   };
 
   void number_unknowns(const Particles<dim>& particles, const CellGrid<dim>& grid);
@@ -75,6 +91,12 @@ class PoissonEquation {
   void hide_behind_bodies(const Assembly& assembly, int first, int count, float* weights, Row& row) const;
   void append_blocks(int first, int count, const float* weights, Row& row);
   void add_others(const Assembly& assembly, int first, int last, Row& row) const;
+  template <typename Value>
+  Lines in_lines(Value&& value) const;
+  Doubles parting(const Lines& velocity, int k, const Floats& weights, int column) const;
+  double parting_of_dummies(const Particles<dim>& particles, const CellGrid<dim>& grid, int i,
+                            const Vec<dim>& kick) const;
+  int reach(const CellGrid<dim>& grid) const;  // cells to each side that a row looks at
 
   PoissonParameters<dim> parameters_;
   ReferenceValues reference_;
@@ -82,12 +104,13 @@ class PoissonEquation {
   std::vector<double> b_;
   std::vector<double> wall_;  // of the Neumann terms, in b_
   std::vector<double> deviation_;
+  std::vector<Sight> sight_;
   CellsOfUnknowns cells_;
   std::vector<std::int32_t> place_;  // of each unknown
   std::vector<std::int32_t> rank_;   // unknowns in lower places than this one, for each place and the end
   std::vector<std::int32_t> other_;  // places of the particles that are no unknowns
   std::vector<std::int32_t> wet_;  // unknowns on bodies that are numbered lower, for each unknown and the end
-  std::array<std::vector<double>, dim> x_;  // coordinates of the unknowns, and room for whole lanes
+  Lines x_;                        // of the unknowns
 };
 
 }  // namespace cosurge::fluid
