@@ -4,87 +4,20 @@
 
 #include <cmath>
 
-#include "fluid_solver/bodies.hpp"
-#include "fluid_solver/operators.hpp"
-#include "fluid_solver/walls.hpp"
 #include "fluid_solver/weight.hpp"
-#include "tests/support/water.hpp"
+#include "tests/support/pressure_tank.hpp"
 
 namespace cosurge::fluid {
 namespace {
 
 using test::box_of;
+using test::dt;
+using test::g;
+using test::l0;
+using test::rho;
+using test::Tank;
 
-constexpr double l0 = 0.01;
-constexpr double rho = 1000;
-constexpr double g = 9.81;
-constexpr double dt = 1e-3;
 constexpr double single = 2e-7;  // relative rounding of a sum of weights in single precision
-
-struct SceneParameters {
-  double water = 0.16;  ///< depth [m]
-  double disorder = 0;  ///< [l0]
-  double compressibility = 1e-20;
-  const v1::Solid* solid = nullptr;
-};
-
-/// A tank with water and a body in it, its free surface found and its pressure equation with no source.
-template <int dim>
-struct Tank {
-  explicit Tank(const SceneParameters& p)
-      : box(Vec<dim>::Zero(), Vec<dim>::Constant(0.12)),
-        cloud{.particles = {}, .neighbors = Neighbors<dim>(domain(p), 2.1 * l0)},
-        equation({.spacing = l0,
-                  .re = 4 * l0,
-                  .density = rho,
-                  .compressibility = p.compressibility,
-                  .gravity = -g * Vec<dim>::Unit(dim - 1)}) {
-    box.max[dim - 1] = p.water + 0.04;
-    fill_with_water(p);
-    test::walls_of<dim>(box, l0).add_to(cloud.particles);
-    first_body = cloud.particles.size();
-    if (p.solid != nullptr) bodies = Bodies<dim>(*p.solid, box, l0);
-    for (int k = 0; k < bodies.points(); ++k)
-      cloud.particles.add(bodies.wet(k) ? Kind::body_surface : Kind::body_inner, bodies.position(k));
-    cloud.neighbors.rebuild(cloud.particles);
-    density_and_free_surface(cloud.particles, cloud.neighbors, reference_values<dim>(2.1 * l0, l0).n0,
-                             {.beta = 0.97, .delta = 0.2 * l0});
-    const auto size = static_cast<std::size_t>(cloud.particles.size());
-    areas.assign(size, Vec<dim>::Zero());
-    const Interface interface = bodies.interface();
-    for (int i = 0; i < cloud.particles.size(); ++i)
-      if (cloud.particles.id[i] >= first_body)
-        areas[i] = interface.area.col(cloud.particles.id[i] - first_body);
-    equation.assemble(cloud.particles, cloud.neighbors.grid(), areas, dt);
-    equation.set_source(std::vector<double>(size, 0.0));
-  }
-
-  Box<dim> domain(const SceneParameters& p) const {
-    Box<dim> inner = box;
-    inner.max[dim - 1] = p.water + 0.04;
-    return test::walls_of<dim>(inner, l0).domain();
-  }
-
-  void fill_with_water(const SceneParameters& p) {
-    std::mt19937 random(5);
-    std::uniform_real_distribution<double> shift(-p.disorder * l0, p.disorder * l0);
-    Box<dim> water = box;
-    water.max[dim - 1] = p.water;
-    for (Vec<dim> x : fill(water, l0)) {
-      if (p.solid != nullptr && Box<dim>(p.solid->body(0).box()).contains(x)) continue;
-      if (p.disorder > 0)
-        for (double& coordinate : x) coordinate += shift(random);
-      cloud.particles.add(Kind::fluid, x);
-    }
-  }
-
-  Box<dim> box;
-  test::Cloud<dim> cloud;
-  Bodies<dim> bodies;
-  int first_body = 0;
-  std::vector<Vec<dim>> areas;
-  PoissonEquation<dim> equation;
-};
 
 /// The weight of unknown k towards unknown m, 0 where there is none.
 float entry(const Matrix& A, int k, int m) {
@@ -279,121 +212,6 @@ TEST(PoissonEquation, SourcesEnterWithTheScaleOfTheLaplacian) {
   for (std::size_t k = 0; k < before.size(); ++k)
     EXPECT_NEAR(tank.equation.right_hand_side()[k] - before[k], -7.0 * reference.lambda0 * reference.n0 / 4,
                 1e-12 * std::abs(before[k]) + 1e-15);
-}
-
-/// Divergence with the equation's weights where it is known, by unknown.
-template <int dim>
-std::vector<double> divergence_of(const Tank<dim>& tank, const Vec<dim>& kick = Vec<dim>::Zero()) {
-  return tank.equation.divergence(tank.cloud.particles, tank.cloud.neighbors.grid(), kick);
-}
-
-template <int dim>
-void expect_linear_divergence(Tank<dim> tank, int at_least) {
-  auto& particles = tank.cloud.particles;
-  Mat<dim> A;
-  for (int k = 0; k < A.size(); ++k) A.data()[k] = std::cos(3.0 * k + 1);
-  for (int i = 0; i < particles.size(); ++i) particles.u[i] = A * particles.x[i] + Vec<dim>::Ones();
-  int known = 0;
-  for (const double divergence : divergence_of(tank)) {
-    if (std::isnan(divergence)) continue;
-    ++known;
-    EXPECT_NEAR(divergence, A.trace(), 20 * single);
-  }
-  EXPECT_GT(known, at_least);
-}
-
-TEST(PoissonEquation, ItsDivergenceIsExactForLinearVelocitiesDownToTheCornersOfATank) {
-  expect_linear_divergence(Tank<2>({}), 12 * 11);
-  expect_linear_divergence(Tank<3>({.water = 0.10}), 12 * 12 * 5);
-}
-
-TEST(PoissonEquation, ItsDivergenceIsKnownWhereNoSurfaceAndNoBodyIsInSight) {
-  const Tank<2> tank({.solid = &sunk_box});
-  const auto divergence = divergence_of(tank);
-  const auto& particles = tank.cloud.particles;
-  int known = 0;
-  for (std::size_t k = 0; k < divergence.size(); ++k) {
-    const int i = tank.equation.unknowns()[k];
-    bool expected = particles.kind[i] == Kind::fluid;
-    for (int j = 0; j < particles.size(); ++j) {
-      const bool surface = has_pressure(particles.kind[j]) && particles.free_surface[j] != 0;
-      const bool seen = (particles.x[j] - particles.x[i]).norm() < 4 * l0 * (1 - 1e-9);
-      if (seen && (surface || of_body(particles.kind[j]))) expected = false;
-    }
-    EXPECT_EQ(!std::isnan(divergence[k]), expected) << particles.x[i].transpose();
-    known += expected ? 1 : 0;
-  }
-  EXPECT_GT(known, 40);
-}
-
-TEST(PoissonEquation, ItsDivergenceIsTheRateAtWhichTheSmoothDensityThinsInAnyDisorder) {
-  Tank<2> tank({.disorder = 0.2});
-  auto& particles = tank.cloud.particles;
-  std::mt19937 random(3);
-  std::normal_distribution<double> speed(0, 1);
-  for (auto& u : particles.u) u = {speed(random), speed(random)};
-  const auto divergence = divergence_of(tank);
-  const auto deviation_after = [&](double t) {
-    auto moved = particles;
-    for (int i = 0; i < moved.size(); ++i) moved.x[i] += t * particles.u[i];
-    tank.equation.assemble(moved, tank.cloud.neighbors.grid(), tank.areas, dt);
-    return tank.equation.deviation();
-  };
-  constexpr double step = 1e-4 * l0;  // times speeds of one
-  const auto before = deviation_after(-step), after = deviation_after(step);
-  // 2 / (r_e^2 s0) by eq. (2b), d / (lambda0 n0) by eq. (10b).
-  const ReferenceValues reference = reference_values<2>(4 * l0, l0);
-  const double ratio = 2 / (16 * l0 * l0 * reference.smooth0) * reference.lambda0 * reference.n0 / 2;
-  EXPECT_NEAR(ratio, 0.9707, 1e-4);
-  int known = 0;
-  for (std::size_t k = 0; k < divergence.size(); ++k) {
-    if (std::isnan(divergence[k])) continue;
-    ++known;
-    EXPECT_NEAR((after[k] - before[k]) / (2 * step), -ratio * divergence[k], 0.02 / l0 * 0.1);
-  }
-  EXPECT_GT(known, 80);
-}
-
-// A column that collapses stretches its lattice along and draws it in across. Eq. (10) takes the motion that
-// goes on with it for a divergence, by what near pairs weigh more than far ones.
-TEST(PoissonEquation, ItsDivergenceSeesThatAStretchedLatticeKeepsItsVolume) {
-  constexpr double stretch = 1.2;
-  test::Cloud<2> cloud = test::block<2>({24, 24}, l0);
-  Particles<2>& particles = cloud.particles;
-  for (int i = 0; i < particles.size(); ++i) {
-    particles.x[i] = {stretch * particles.x[i][0], particles.x[i][1] / stretch};
-    particles.u[i] = {particles.x[i][0], -particles.x[i][1]};
-  }
-  Neighbors<2> neighbors({Vec<2>::Constant(-0.05), Vec<2>::Constant(0.4)}, 2.1 * l0);
-  neighbors.rebuild(particles);
-  const double n0 = reference_values<2>(2.1 * l0, l0).n0;
-  density_and_free_surface(particles, neighbors, n0, {.beta = 0.97, .delta = 0.2 * l0});
-  PoissonEquation<2> equation(
-      {.spacing = l0, .re = 4 * l0, .density = rho, .compressibility = 1e-9, .gravity = {0, -g}});
-  equation.assemble(particles, neighbors.grid(), {}, dt);
-  const auto divergence = equation.divergence(particles, neighbors.grid(), Vec<2>::Zero());
-  int known = 0;
-  for (std::size_t k = 0; k < divergence.size(); ++k) {
-    if (std::isnan(divergence[k])) continue;
-    ++known;
-    EXPECT_LT(std::abs(divergence[k]), 0.02);
-    const double near =
-        cosurge::fluid::divergence<2>(particles, neighbors, equation.unknowns()[k], n0, Vec<2>::Zero());
-    EXPECT_GT(std::abs(near), 0.1);
-  }
-  EXPECT_GT(known, 100);
-}
-
-TEST(PoissonEquation, ItsDivergenceIsNoneWhereWaterAndWallsHaveTheSameKick) {
-  Tank<2> tank({});
-  const Vec<2> kick(0, -0.01);
-  for (int i = 0; i < tank.cloud.particles.size(); ++i)
-    tank.cloud.particles.u[i] = tank.cloud.particles.kind[i] == Kind::fluid ? kick : Vec<2>(0, 0);
-  double with = 0, without = 0;
-  for (const double d : divergence_of(tank, kick)) with = std::max(with, std::isnan(d) ? 0 : std::abs(d));
-  for (const double d : divergence_of(tank)) without = std::max(without, std::isnan(d) ? 0 : std::abs(d));
-  EXPECT_EQ(with, 0);
-  EXPECT_GT(without, 0.1 * 0.01 / l0);
 }
 
 }  // namespace

@@ -1,0 +1,165 @@
+// The divergence with the weights of the pressure equation, eq. (10b).
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "fluid_solver/operators.hpp"
+#include "tests/support/pressure_tank.hpp"
+
+namespace cosurge::fluid {
+namespace {
+
+using test::dt;
+using test::g;
+using test::l0;
+using test::rho;
+using test::Tank;
+
+constexpr double single = 2e-7;  // relative rounding of a sum of weights in single precision
+
+/// Divergence with the equation's weights where it is known, by unknown.
+template <int dim>
+std::vector<double> divergence_of(const Tank<dim>& tank, const Vec<dim>& kick = Vec<dim>::Zero()) {
+  return tank.equation.divergence(tank.cloud.particles, tank.cloud.neighbors.grid(), kick);
+}
+
+template <int dim>
+void expect_linear_divergence(Tank<dim> tank, int at_least) {
+  auto& particles = tank.cloud.particles;
+  Mat<dim> A;
+  for (int k = 0; k < A.size(); ++k) A.data()[k] = std::cos(3.0 * k + 1);
+  for (int i = 0; i < particles.size(); ++i) particles.u[i] = A * particles.x[i] + Vec<dim>::Ones();
+  int known = 0;
+  for (const double divergence : divergence_of(tank)) {
+    if (std::isnan(divergence)) continue;
+    ++known;
+    EXPECT_NEAR(divergence, A.trace(), 20 * single);
+  }
+  EXPECT_GT(known, at_least);
+}
+
+TEST(EquationDivergence, IsExactForLinearVelocitiesDownToTheCornersOfATank) {
+  expect_linear_divergence(Tank<2>({}), 12 * 11);
+  expect_linear_divergence(Tank<3>({.water = 0.10}), 12 * 12 * 5);
+}
+
+TEST(EquationDivergence, IsKnownWhereNoSurfaceAndNoBodyIsInSight) {
+  const v1::Solid sunk_box = test::solid_of(test::box_of({0.05, 0.05}, {0.08, 0.08}));
+  const Tank<2> tank({.solid = &sunk_box});
+  const auto divergence = divergence_of(tank);
+  const auto& particles = tank.cloud.particles;
+  int known = 0;
+  for (std::size_t k = 0; k < divergence.size(); ++k) {
+    const int i = tank.equation.unknowns()[k];
+    bool expected = particles.kind[i] == Kind::fluid;
+    for (int j = 0; j < particles.size(); ++j) {
+      const bool surface = has_pressure(particles.kind[j]) && particles.free_surface[j] != 0;
+      const bool seen = (particles.x[j] - particles.x[i]).norm() < 4 * l0 * (1 - 1e-9);
+      if (seen && (surface || of_body(particles.kind[j]))) expected = false;
+    }
+    EXPECT_EQ(!std::isnan(divergence[k]), expected) << particles.x[i].transpose();
+    known += expected ? 1 : 0;
+  }
+  EXPECT_GT(known, 40);
+}
+
+TEST(EquationDivergence, IsTheRateAtWhichTheSmoothDensityThinsInAnyDisorder) {
+  Tank<2> tank({.disorder = 0.2});
+  auto& particles = tank.cloud.particles;
+  std::mt19937 random(3);
+  std::normal_distribution<double> speed(0, 1);
+  for (auto& u : particles.u) u = {speed(random), speed(random)};
+  const auto divergence = divergence_of(tank);
+  const auto deviation_after = [&](double t) {
+    auto moved = particles;
+    for (int i = 0; i < moved.size(); ++i) moved.x[i] += t * particles.u[i];
+    tank.equation.assemble(moved, tank.cloud.neighbors.grid(), tank.areas, dt);
+    return tank.equation.deviation();
+  };
+  constexpr double step = 1e-4 * l0;  // times speeds of one
+  const auto before = deviation_after(-step), after = deviation_after(step);
+  // 2 / (r_e^2 s0) by eq. (2b), d / (lambda0 n0) by eq. (10b).
+  const ReferenceValues reference = reference_values<2>(4 * l0, l0);
+  const double ratio = 2 / (16 * l0 * l0 * reference.smooth0) * reference.lambda0 * reference.n0 / 2;
+  EXPECT_NEAR(ratio, 0.9707, 1e-4);
+  int known = 0;
+  for (std::size_t k = 0; k < divergence.size(); ++k) {
+    if (std::isnan(divergence[k])) continue;
+    ++known;
+    EXPECT_NEAR((after[k] - before[k]) / (2 * step), -ratio * divergence[k], 0.02 / l0 * 0.1);
+  }
+  EXPECT_GT(known, 80);
+}
+
+/// Water alone, its free surface found, with the equation's divergence and that of near neighbours.
+struct Patch {
+  test::Cloud<2> cloud = test::block<2>({48, 48}, l0);
+  PoissonEquation<2> equation{
+      {.spacing = l0, .re = 4 * l0, .density = rho, .compressibility = 1e-9, .gravity = {0, -g}}};
+  double n0 = reference_values<2>(2.1 * l0, l0).n0;
+
+  /// Root mean squares of the errors of both, eqs. (10b) and (10), where the former is known.
+  template <typename Exact>
+  std::pair<double, double> errors(Exact&& exact) {
+    const Particles<2>& particles = cloud.particles;
+    Neighbors<2> neighbors({Vec<2>::Constant(-0.1), Vec<2>::Constant(0.8)}, 2.1 * l0);
+    neighbors.rebuild(cloud.particles);
+    density_and_free_surface(cloud.particles, neighbors, n0, {.beta = 0.97, .delta = 0.2 * l0});
+    equation.assemble(particles, neighbors.grid(), {}, dt);
+    const auto divergence = equation.divergence(particles, neighbors.grid(), Vec<2>::Zero());
+    double wide = 0, near = 0;
+    int known = 0;
+    for (std::size_t k = 0; k < divergence.size(); ++k) {
+      if (std::isnan(divergence[k])) continue;
+      ++known;
+      const int i = equation.unknowns()[k];
+      const double d = cosurge::fluid::divergence<2>(particles, neighbors, i, n0, Vec<2>::Zero());
+      wide += std::pow(divergence[k] - exact(particles.x[i]), 2);
+      near += std::pow(d - exact(particles.x[i]), 2);
+    }
+    EXPECT_GT(known, 30 * 30);
+    return {std::sqrt(wide / known), std::sqrt(near / known)};
+  }
+};
+
+// A column that collapses stretches its lattice along and draws it in across. Eq. (10) takes the motion that
+// goes on with it for a divergence, since near pairs weigh more than far ones.
+TEST(EquationDivergence, SeesThatAStretchedLatticeKeepsItsVolume) {
+  constexpr double stretch = 1.2;
+  Patch patch;
+  Particles<2>& particles = patch.cloud.particles;
+  for (int i = 0; i < particles.size(); ++i) {
+    particles.x[i] = {stretch * particles.x[i][0], particles.x[i][1] / stretch};
+    particles.u[i] = {particles.x[i][0], -particles.x[i][1]};
+  }
+  const auto [wide, near] = patch.errors([](const Vec<2>&) { return 0.0; });
+  EXPECT_LT(wide, 0.02);  // of a rate of strain of 1
+  EXPECT_GT(near, 0.1);
+}
+
+TEST(EquationDivergence, IsNearerInDisorderThanThatOfNearNeighbours) {
+  constexpr double k = 6;  // a wave over two thirds of the patch
+  Patch patch;
+  patch.cloud = test::block<2>({48, 48}, l0, 0.1);
+  Particles<2>& particles = patch.cloud.particles;
+  for (int i = 0; i < particles.size(); ++i) particles.u[i] = (k * particles.x[i]).array().sin();
+  const auto [wide, near] = patch.errors([&](const Vec<2>& x) { return k * (k * x).array().cos().sum(); });
+  const double size = k;  // rms of the sum of two cosines
+  EXPECT_LT(wide / size, 0.03);
+  EXPECT_LT(wide, 0.4 * near);
+}
+
+TEST(EquationDivergence, IsNoneWhereWaterAndWallsHaveTheSameKick) {
+  Tank<2> tank({});
+  const Vec<2> kick(0, -0.01);
+  for (int i = 0; i < tank.cloud.particles.size(); ++i)
+    tank.cloud.particles.u[i] = tank.cloud.particles.kind[i] == Kind::fluid ? kick : Vec<2>(0, 0);
+  double with = 0, without = 0;
+  for (const double d : divergence_of(tank, kick)) with = std::max(with, std::isnan(d) ? 0 : std::abs(d));
+  for (const double d : divergence_of(tank)) without = std::max(without, std::isnan(d) ? 0 : std::abs(d));
+  EXPECT_EQ(with, 0);
+  EXPECT_GT(without, 0.1 * 0.01 / l0);
+}
+
+}  // namespace
+}  // namespace cosurge::fluid
