@@ -88,6 +88,12 @@ auto PoissonEquation<dim>::in_lines(Value&& value) const -> Lines {
   return lines;
 }
 
+/// Of a neighbour that is no unknown; 0 out of reach.
+template <int dim>
+double PoissonEquation<dim>::weight_at(const Vec<dim>& x_ij) const {
+  return weight_of(static_cast<float>(x_ij.squaredNorm()), static_cast<float>(parameters_.re));
+}
+
 template <int dim>
 int PoissonEquation<dim>::reach(const CellGrid<dim>& grid) const {
   return static_cast<int>(std::ceil(parameters_.re * (1 - 1e-9) / grid.cell_size()));
@@ -186,9 +192,7 @@ double PoissonEquation<dim>::parting_of_dummies(const Particles<dim>& particles,
     for (int m = first - rank_[first]; m < last - rank_[last]; ++m) {
       const int j = other_[m];
       const Vec<dim> x_ij = particles.x[j] - particles.x[i];
-      const auto w = static_cast<double>(
-          weight_of(static_cast<float>(x_ij.squaredNorm()), static_cast<float>(parameters_.re)));
-      sum += w * (particles.u[j] + kick - particles.u[i]).dot(x_ij);
+      sum += weight_at(x_ij) * (particles.u[j] + kick - particles.u[i]).dot(x_ij);
     }
   });
   return sum;
@@ -276,7 +280,7 @@ void PoissonEquation<dim>::hide_behind_bodies(const Assembly& assembly, int firs
   for (int k = 0; k < count; ++k) {
     if (weights[k] == 0) continue;
     const int j = place_[first + k];
-    if (on_body || particles.kind[j] == Kind::body_surface) row.see(Sight::bodies);
+    if (particles.kind[j] == Kind::body_surface) row.see(Sight::bodies);
     const Vec<dim> x_ij = particles.x[j] - particles.x[row.i];
     const double r = x_ij.norm();
     const bool hidden = (on_body && behind<dim>(assembly.areas[row.i], x_ij, r)) ||
@@ -297,8 +301,7 @@ void PoissonEquation<dim>::add_others(const Assembly& assembly, int first, int l
   for (int m = first; m < last; ++m) {
     const int j = other_[m];
     const Vec<dim> x_ij = particles.x[j] - particles.x[row.i];
-    const auto w = static_cast<double>(
-        weight_of(static_cast<float>(x_ij.squaredNorm()), static_cast<float>(parameters_.re)));
+    const double w = weight_at(x_ij);
     if (w == 0) continue;
     const double r = x_ij.norm();
     const bool wall = !has_pressure(particles.kind[j]) ||

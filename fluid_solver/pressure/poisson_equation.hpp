@@ -96,6 +96,7 @@ class PoissonEquation {
   Doubles parting(const Lines& velocity, int k, const Floats& weights, int column) const;
   double parting_of_dummies(const Particles<dim>& particles, const CellGrid<dim>& grid, int i,
                             const Vec<dim>& kick) const;
+  double weight_at(const Vec<dim>& x_ij) const;
   int reach(const CellGrid<dim>& grid) const;  // cells to each side that a row looks at
 
   PoissonParameters<dim> parameters_;

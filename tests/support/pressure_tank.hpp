@@ -11,6 +11,7 @@ constexpr double l0 = 0.01;
 constexpr double rho = 1000;
 constexpr double g = 9.81;
 constexpr double dt = 1e-3;
+constexpr double single = 2e-7;  // relative rounding of a sum of weights in single precision
 
 struct SceneParameters {
   double water = 0.16;  ///< depth [m]

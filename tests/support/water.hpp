@@ -1,6 +1,7 @@
 // Water for the tests: blocks of particles, in order or in disorder, and tanks as cases.
 #pragma once
 
+#include <cmath>
 #include <random>
 #include <vector>
 
@@ -29,6 +30,14 @@ struct Cloud {
     return best;
   }
 };
+
+/// No symmetry, no zeros.
+template <int dim>
+Mat<dim> some_matrix() {
+  Mat<dim> A;
+  for (int k = 0; k < A.size(); ++k) A.data()[k] = std::cos(3.0 * k + 1);
+  return A;
+}
 
 /// A block of fluid with a corner in the origin: the sites of the lattice, moved by up to `disorder` spacings
 /// along each axis. Sorted, with neighbours in a domain that is larger by three spacings.

@@ -14,6 +14,7 @@ namespace {
 
 using test::block;
 using test::Cloud;
+using test::some_matrix;
 
 constexpr double l0 = 0.01;
 constexpr double rounding =
@@ -30,13 +31,6 @@ struct Lattice {
   int i = cloud.nearest(Vec<dim>::Constant(3.5 * l0));  // two layers away from every face
   ReferenceValues reference = reference_values<dim>(2.1 * l0, l0);
 };
-
-template <int dim>
-Mat<dim> some_matrix() {
-  Mat<dim> A;
-  for (int k = 0; k < A.size(); ++k) A.data()[k] = std::cos(3.0 * k + 1);
-  return A;
-}
 
 TYPED_TEST(Operators, AreExactForConstantAndLinearFieldsInsideALattice) {
   constexpr int dim = TypeParam::value;

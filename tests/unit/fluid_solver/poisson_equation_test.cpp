@@ -15,9 +15,8 @@ using test::dt;
 using test::g;
 using test::l0;
 using test::rho;
+using test::single;
 using test::Tank;
-
-constexpr double single = 2e-7;  // relative rounding of a sum of weights in single precision
 
 /// The weight of unknown k towards unknown m, 0 where there is none.
 float entry(const Matrix& A, int k, int m) {
