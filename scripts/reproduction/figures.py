@@ -3,23 +3,24 @@ import h5py
 import numpy as np
 
 import measures
-import plot_run
-from plot_run import plt
+from plots import recorded, snapshots
+from plots.histories import reference_curves
+from plots.style import plt
 from runs import STIFFNESS
 
 COLORS = dict(zip(STIFFNESS, plt.get_cmap("viridis")(np.linspace(0, 0.85, len(STIFFNESS) - 1)).tolist() + ["black"]))
 
 
 class Frames:
-    """Particles of a run at chosen times; a run as plot_run's pictures take it."""
+    """Particles of a run at chosen times; a run as the pictures of plots take it."""
 
     def __init__(self, folder, times):
-        run = plot_run.read_run(folder)
+        run = recorded.read_run(folder)
         self.case, self.title = run.case, run.title
         with h5py.File(folder / "results.h5") as file:
-            recorded = file["frames/time"][:]
-            chosen = [int(np.abs(recorded - t).argmin()) for t in times if t <= recorded[-1] + 0.02]
-            self.frames = [{"time": recorded[k], **{
+            instants = file["frames/time"][:]
+            chosen = [int(np.abs(instants - t).argmin()) for t in times if t <= instants[-1] + 0.02]
+            self.frames = [{"time": instants[k], **{
                 name: {array: group[array][k] for array in group}
                 for name, group in file["frames"].items() if isinstance(group, h5py.Group)}} for k in chosen]
         fluid, solid = self.case["fluid"], self.case["solid"]
@@ -40,7 +41,7 @@ def fig2_snapshots(folder):
         window(axes)
     figure.canvas.draw()
     for axes, frame in zip(grid.flat, frames.frames):
-        image = plot_run.draw_frame(frames, axes, frame, frames.spacing, 3000.0)
+        image = snapshots.draw_frame(frames, axes, frame, frames.spacing, 3000.0)
     figure.colorbar(image, ax=grid, label="pressure [kPa]", shrink=0.8, extend="max")
     return figure
 
@@ -48,7 +49,7 @@ def fig2_snapshots(folder):
 def fig3_tip(histories, case_folder):
     """Tip over the published curves; `histories` by label."""
     figure, axes = plt.subplots(layout="constrained", figsize=(9, 5))
-    for k, (name, (t, x)) in enumerate(plot_run.reference_curves(case_folder, ["t_s", "ux_m"]).items()):
+    for k, (name, (t, x)) in enumerate(reference_curves(case_folder, ["t_s", "ux_m"]).items()):
         axes.plot(t, 1000 * x, lw=0.8, alpha=0.6, color=plt.get_cmap("tab10").colors[k % 10], label=name)
     for style, (label, history) in zip(("-", "--", ":", "-."), histories.items()):
         axes.plot(history.time, 1000 * history.tip, "k" + style, lw=1.6, label=label)
@@ -139,12 +140,12 @@ def fig10_speeds(folders):
         for axes, frame in zip(row, frames.frames):
             fluid = frame["fluid"]
             water = fluid["kind"] == 0
-            wall = np.isin(fluid["kind"], plot_run.WALL_KINDS)
+            wall = np.isin(fluid["kind"], snapshots.WALL_KINDS)
             speed = np.linalg.norm(fluid["velocity"][water], axis=1) / measures.SPEED
-            plot_run.dots(axes, fluid["position"][wall], frames.spacing["fluid"], 1.6, color=plot_run.WALL_COLOR)
-            image = plot_run.dots(axes, fluid["position"][water], frames.spacing["fluid"], c=speed, cmap="jet", vmin=0,
+            snapshots.dots(axes, fluid["position"][wall], frames.spacing["fluid"], 1.6, color=snapshots.WALL_COLOR)
+            image = snapshots.dots(axes, fluid["position"][water], frames.spacing["fluid"], c=speed, cmap="jet", vmin=0,
                                   vmax=2)
-            plot_run.dots(axes, frame["solid"]["position"], frames.spacing["solid"], 1.4, color=plot_run.SOLID_COLOR)
+            snapshots.dots(axes, frame["solid"]["position"], frames.spacing["solid"], 1.4, color=snapshots.SOLID_COLOR)
             axes.set_title(f"{label}, tau = {frame['time'] * measures.RATE:.2f}", fontsize=8)
     figure.colorbar(image, ax=grid, label="|v| / sqrt(g H)", shrink=0.5, extend="max")
     return figure

@@ -2,143 +2,24 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include "common/error.hpp"
-#include "common/state_bytes.hpp"
-#include "common/threads.hpp"
 #include "tests/support/outlines.hpp"
-#include "tests/support/water.hpp"
+#include "tests/support/small_dam_break.hpp"
 
 namespace cosurge::fluid {
 namespace {
 
 using test::box_of;
-using test::solid_of;
+using test::change_velocities;
+using test::down;
+using test::g;
+using test::l0;
+using test::plate;
+using test::small_dam_break;
 using test::tank_of_water;
-
-constexpr double l0 = 0.01;
-constexpr double g = 9.81;
-const Vec<2> down(0, -g);
-
-v1::Fluid small_dam_break() {
-  return tank_of_water(l0, box_of({0, 0}, {0.3, 0.3}), {box_of({0, 0}, {0.1, 0.2})});
-}
-
-const v1::Solid plate = solid_of(box_of({0.15, 0}, {0.18, 0.08}), {box_of({0.15, -0.05}, {0.18, 0})});
-
-/// Calls change(particle's velocity, position) for each fluid particle of a state, which is saved and
-/// restored.
-template <int dim, typename Change>
-void change_velocities(Mps<dim>& mps, Change&& change) {
-  Particles<dim> particles = mps.particles();
-  for (int i = 0; i < particles.size(); ++i)
-    if (particles.kind[i] == Kind::fluid) change(particles.u[i], particles.x[i]);
-  // The rest of the state, as it is: everything after the velocities.
-  StateWriter head;
-  head.put(mps.particles().x);
-  head.put(mps.particles().u);
-  const std::string old = mps.save();
-  StateWriter fresh;
-  fresh.put(particles.x);
-  fresh.put(particles.u);
-  mps.restore(fresh.take() + old.substr(head.take().size()));
-}
-
-TEST(MpsState, ContinuesBitForBitInAFreshObject) {
-  Mps<2> whole(small_dam_break(), &plate, down);
-  Mps<2> fresh(small_dam_break(), &plate, down);
-  constexpr double dt = 1e-3;
-  for (int k = 0; k < 20; ++k) (void)whole.step(k * dt, dt);
-  fresh.restore(whole.save());
-  EXPECT_EQ(fresh.save(), whole.save());
-  Surface a = Surface::at_rest(2, whole.bodies().points());
-  Surface b = a;
-  for (int k = 20; k < 40; ++k) {
-    const StepReport one = whole.step(k * dt, dt);
-    const StepReport other = fresh.step(k * dt, dt);
-    EXPECT_EQ(one.max_window, other.max_window);
-    EXPECT_EQ(one.pressure.iterations, other.pressure.iterations);
-  }
-  whole.load(a);
-  fresh.load(b);
-  EXPECT_EQ(a.force, b.force);
-  EXPECT_EQ(fresh.save(), whole.save());
-  EXPECT_NE(whole.save(), Mps<2>(small_dam_break(), &plate, down).save());  // something happened
-}
-
-/// Water on both sides of a plate, with the mixed source, whose pressure answers the plate's velocity.
-Mps<2> water_beside_a_plate() {
-  v1::Fluid fluid = tank_of_water(l0, box_of({0, 0}, {0.3, 0.3}),
-                                  {box_of({0, 0}, {0.15, 0.1}), box_of({0.18, 0}, {0.3, 0.1})});
-  fluid.set_source(v1::Fluid::mixed);
-  return {fluid, &plate, down};
-}
-
-struct LoadedStep {
-  Surface surface;
-  std::string state;
-};
-
-/// The step after two others, gone through once for each velocity of the plate to the right [m/s].
-LoadedStep last_of_attempts(const std::vector<double>& velocities) {
-  constexpr double dt = 1e-3;
-  Mps<2> mps = water_beside_a_plate();
-  for (int k = 0; k < 2; ++k) (void)mps.step(k * dt, dt);
-  Surface surface = Surface::at_rest(2, mps.bodies().points());
-  std::uint32_t attempt = 1;
-  for (const double velocity : velocities) {
-    surface.velocity.row(0).setConstant(velocity);
-    attempt <= 1 ? mps.move_bodies(surface.displacement, surface.velocity)
-                 : mps.set_body_velocity(surface.velocity);
-    (void)mps.step(2 * dt, dt, attempt++);
-  }
-  mps.load(surface);
-  return {surface, mps.save()};
-}
-
-TEST(MpsAttempts, WithTheSameVelocityGiveTheSameBits) {
-  const LoadedStep once = last_of_attempts({0.01});
-  const LoadedStep thrice = last_of_attempts({0.01, 0.01, 0.01});
-  EXPECT_GT(once.surface.pressure.maxCoeff(), 0);
-  EXPECT_EQ(once.surface.force, thrice.surface.force);
-  EXPECT_EQ(once.state, thrice.state);
-}
-
-TEST(MpsAttempts, ForgetTheVelocityOfTheAttemptBefore) {
-  const LoadedStep once = last_of_attempts({0.01});
-  const LoadedStep again = last_of_attempts({0.5, 0.01});
-  const LoadedStep other = last_of_attempts({0.5});
-  const auto difference = [&](const LoadedStep& a, const LoadedStep& b) {
-    return (a.surface.force - b.surface.force).norm() / b.surface.force.norm();
-  };
-  EXPECT_GT(difference(other, once), 0.1);
-  // The residual of the pressure equation is 1e-4 of the right-hand side; the water is 10 particles deep, so
-  // that the inverse magnifies it by about ten.
-  EXPECT_LT(difference(again, once), 2e-3);
-}
-
-TEST(MpsState, TruncatedBytesAreRefused) {
-  Mps<2> mps(small_dam_break(), nullptr, down);
-  const std::string state = mps.save();
-  EXPECT_ANY_THROW(mps.restore(state.substr(0, state.size() - 1)));
-  EXPECT_ANY_THROW(mps.restore(state + "x"));
-}
-
-TEST(MpsStep, GivesTheSameBitsForAnyNumberOfThreads) {
-  // 5400 fluid particles: every loop with a threshold runs in parallel.
-  v1::Fluid fluid = tank_of_water(0.002, box_of({0, 0}, {0.3, 0.3}), {box_of({0, 0}, {0.12, 0.18})});
-  fluid.set_source(v1::Fluid::mixed);
-  std::string first;
-  for (const int threads : {1, 2, 4}) {
-    set_threads(threads);
-    Mps<2> mps(fluid, &plate, down);
-    for (int k = 0; k < 5; ++k) (void)mps.step(k * 2e-4, 2e-4);
-    if (first.empty()) first = mps.save();
-    EXPECT_EQ(mps.save() == first, true) << threads;
-  }
-}
 
 template <int dim>
 void expect_free_fall(const v1::Fluid& fluid, double dt) {
@@ -310,66 +191,6 @@ double floor_pressure(v1::Fluid::Source source) {
 TEST(MpsStep, TheFirstPressureOfWaterAtRestIsHydrostatic) {
   for (const auto source : {v1::Fluid::deviation, v1::Fluid::mixed, v1::Fluid::time_scale})
     EXPECT_NEAR(floor_pressure(source), 1 + l0 / 0.2, 0.025) << source;
-}
-
-TEST(MpsStep, ABodyThatLeavesTheDomainEndsTheRunInWords) {
-  Mps<2> mps(small_dam_break(), &plate, down);
-  Field displacement = Field::Zero(2, mps.bodies().points());
-  displacement.row(0).setConstant(5);
-  mps.move_bodies(displacement, Field::Zero(2, mps.bodies().points()));
-  EXPECT_THROW((void)mps.step(0, 1e-4), NumericalError);
-}
-
-TEST(MpsStep, PressureThatDoesNotConvergeEndsTheRunInWords) {
-  v1::Fluid fluid = small_dam_break();
-  fluid.mutable_pressure()->set_max_iterations(1);
-  fluid.mutable_pressure()->set_tolerance(1e-9);
-  Mps<2> mps(fluid, nullptr, down);
-  try {
-    (void)mps.step(0.25, 1e-3);
-    FAIL() << "no error";
-  } catch (const NumericalError& error) {
-    const std::string what = error.what();
-    EXPECT_NE(what.find("after 1 iterations at t = 0.25 s"), std::string::npos) << what;
-    EXPECT_NE(what.find("fluid.pressure.max_iterations"), std::string::npos) << what;
-  }
-}
-
-TEST(MpsStep, ImpossibleSpeedsEndTheRunInWords) {
-  Mps<2> mps(small_dam_break(), nullptr, down);
-  change_velocities(mps, [&](Vec<2>& u, const Vec<2>& x) {
-    if (x[0] > 0.09 && x[1] > 0.19) u = {0, 1e4};
-  });
-  EXPECT_THROW((void)mps.step(0, 1e-6), NumericalError);
-}
-
-TEST(MpsStep, WaterThatHasAllLeftEndsTheRunInWords) {
-  Mps<2> mps(small_dam_break(), nullptr, down);
-  change_velocities(mps, [](Vec<2>& u, const Vec<2>&) { u = {0, 20}; });
-  try {
-    for (int k = 0; k < 10; ++k) (void)mps.step(k * 0.01, 0.01);
-    FAIL() << "no error";
-  } catch (const NumericalError& error) {
-    EXPECT_NE(std::string(error.what()).find("no water is left"), std::string::npos) << error.what();
-  }
-}
-
-TEST(MpsStep, OutlinesThatHoldNoParticleAreRefused) {
-  v1::Fluid fluid = small_dam_break();
-  v1::Shape& speck = *fluid.mutable_water(0);
-  speck.Clear();
-  for (const double x : {0.101, 0.101, 0.103, 0.101, 0.102, 0.103}) speck.add_vertex(x);
-  EXPECT_THROW(Mps<2>(fluid, nullptr, down), Error);
-}
-
-TEST(MpsStep, ABodySpeedThatIsNoNumberEndsTheRunInWords) {
-  v1::Fluid fluid = small_dam_break();
-  fluid.set_source(v1::Fluid::mixed);
-  fluid.mutable_water(0)->set_max(0, 0.15);
-  Mps<2> mps(fluid, &plate, down);
-  const Field velocity = Field::Constant(2, mps.bodies().points(), std::numeric_limits<double>::quiet_NaN());
-  mps.move_bodies(Field::Zero(2, mps.bodies().points()), velocity);
-  EXPECT_THROW((void)mps.step(0, 1e-4), NumericalError);
 }
 
 TEST(MpsStep, ProposesTheStepThatItsFastestParticleAllows) {
