@@ -14,7 +14,7 @@ CUT_OFF, ORDER = 70.0, 4  # Hz; Butterworth, forward and backward: no delay
 STEP = 2e-5  # s, of the even series that the filter gets: the paper's window
 SECOND_PEAK = (4.5, 6.5)  # tau: the upward water has fallen back
 LATE = (7.0, 11.59)  # tau: after it
-RESPONSE = 3.5  # tau: until here the first blow and the answer to it
+BLOW = 2.3  # tau: until here the first blow's impulse
 
 
 class History:
@@ -67,7 +67,7 @@ def pressure_numbers(history, name):
         f"{name}_second_peak": between(tau, smooth, SECOND_PEAK).max() if tau[-1] > SECOND_PEAK[1] else np.nan,
         f"{name}_late_mean": between(tau, raw, LATE).mean() if whole else np.nan,
         f"{name}_impulse": np.trapz(raw, tau) if whole else np.nan,
-        f"{name}_impulse_first": np.trapz(raw[tau < 2.3], tau[tau < 2.3]),
+        f"{name}_impulse_first": np.trapz(raw[tau < BLOW], tau[tau < BLOW]) if tau[-1] > BLOW - 0.01 else np.nan,
         f"{name}_noise": np.sqrt(np.mean((raw - smooth)[(tau > 0.8) & first]**2)) / smooth[first].max(),
     }
 
