@@ -148,6 +148,22 @@ def scatter(numbers):
     return table(["settings", "number", "20 MPa", "rigid"], lines) if lines else ""
 
 
+def costs(numbers):
+    """Processor time of the verification case and Table 2, and how long they take, one run on each of two cores."""
+    lines = []
+    for settings, spacing in FAMILIES:
+        names = [f"verification_{settings}_{spacing}"]
+        names += [f"stiffness_{settings}_{label}_{spacing}" for label in runs.STIFFNESS]
+        over = [numbers.rows[name] for name in names if name in numbers.rows]
+        spent = [row["core_s"] for row in over if not math.isnan(row["P01_impulse"])]
+        if spent:
+            lines.append([LABELS[settings], spacing, f"{len(spent)} of {len(names)}",
+                          f"{min(spent) / 60:.1f} to {max(spent) / 60:.1f}", number(sum(spent) / 3600),
+                          number(sum(spent) / 3600 / 2)])
+    return table(["settings", "spacing", "runs that are there", "core minutes of one", "core hours of all",
+                  "hours on two cores"], lines)
+
+
 def filters(history):
     """The peak at P01 by the filter that was taken."""
     _, raw = history.even("P01")
@@ -263,7 +279,8 @@ def write(study, out):
         if "20MPa" in rows:
             parts += ["The peak at P01 at 20 MPa by the filter:\n",
                       filters(numbers.histories[f"stiffness_{settings}_20MPa_{spacing}"])]
-    parts += ["## Scatter of the peaks\n",
+    parts += ["## Cost\n", "To two seconds each; every run's own time is in numbers.csv.\n", costs(numbers),
+              "## Scatter of the peaks\n",
               "Starts that differ by ten-thousandths of gravity, sideways: mean and standard deviation.\n",
               scatter(numbers), open_points.write(study), swapped(numbers, out), finite_width(study, out),
               chart.write(numbers, out)]
