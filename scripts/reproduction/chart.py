@@ -2,7 +2,7 @@
 import csv
 
 import numpy as np
-from matplotlib.ticker import LogLocator
+from matplotlib.ticker import LogLocator, PercentFormatter
 
 import runs
 from figures import plt
@@ -56,27 +56,46 @@ def scatter_of(numbers, key):
     return np.std(values, ddof=1) / np.mean(values) if len(values) > 1 else 0.0
 
 
+LOWEST = 5e-4  # error: nearer than this is drawn here
+MARKERS = "osD^v<>pX*Phd"
+
+
 def draw(rows, numbers, scene, truth):
     figure, grid = plt.subplots(2, 3, layout="constrained", figsize=(15, 9))
-    grid[-1, -1].remove()
+    settings = [run.name.removeprefix(f"chart_{scene}_") for run in runs.chart() if f"_{scene}_" in run.name]
+    styles = {setting: {"marker": MARKERS[k % len(MARKERS)], "color": plt.get_cmap("tab10")(k % 10)}
+              for k, setting in enumerate(settings)}  # the same in all charts
     for axes, (key, title) in zip(grid.flat, MEASURES.items()):
         spread = scatter_of(numbers, key) if key != "tip_rms" else 0
-        for row in rows:
-            axes.errorbar(row["core_s"], row[key], yerr=spread, fmt="o", ms=4, color="0.35", ecolor="0.8", elinewidth=1)
         front = pareto(rows, key)
-        axes.plot([row["core_s"] for row in front], [row[key] for row in front], "-", color="tab:orange", lw=1.2)
+        axes.plot([row["core_s"] for row in front], [max(row[key], LOWEST) for row in front], "-", color="0.3", lw=1)
         for row in rows:
-            weight = "bold" if row in front else "normal"
-            axes.annotate(row["setting"], (row["core_s"], row[key]), fontsize=7, weight=weight, xytext=(3, 3),
-                          textcoords="offset points")
-        axes.set(xscale="log", xlabel="core seconds", title=title, ylabel="error", ylim=(0, None))
+            error = max(row[key], LOWEST)
+            axes.errorbar(row["core_s"], error, yerr=[[min(spread, error - 0.8 * LOWEST)], [spread]], ecolor="0.8",
+                          elinewidth=1, ms=10 if row in front else 6, mec="black" if row in front else "none", ls="",
+                          label=row["setting"].replace("_", " "), **styles[row["setting"]])
+        axes.set(xscale="log", yscale="log", xlabel="core seconds", title=title, ylabel="error",
+                 ylim=(0.8 * LOWEST, None))
         axes.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
         axes.xaxis.set_major_formatter("{x:g}")
         axes.xaxis.set_minor_formatter("")
+        axes.yaxis.set_major_formatter(PercentFormatter(1, decimals=1))
         axes.margins(x=0.15)
-    figure.suptitle(f"{scene}: error against {truth}, over cost; bars: scatter between perturbed starts; "
-                    "line: nothing cheaper is nearer")
+    grid[-1, -1].axis("off")
+    grid[-1, -1].legend(*axes.get_legend_handles_labels(), loc="center", fontsize=11)
+    figure.suptitle(f"{scene}: error against {truth.replace('_', ' ')}, over cost; bars: scatter between perturbed "
+                    "starts; line and black edges: nothing cheaper is nearer")
     return figure
+
+
+def fronts(rows):
+    """What lies on the line of each measure, the cheapest first."""
+    lines = []
+    for key, title in MEASURES.items():
+        steps = [f"{row['setting'].replace('_', ' ')} ({row['core_s']:.0f} s, {100 * row[key]:.1f} %)"
+                 for row in pareto(rows, key)]
+        lines.append(f"- {title}: " + "; ".join(steps))
+    return "\n".join(lines) + "\n"
 
 
 def write(numbers, out):
@@ -90,7 +109,8 @@ def write(numbers, out):
         figure = draw(rows, numbers, scene, truth)
         figure.savefig(out / f"chart_{scene}.png", dpi=90)
         plt.close(figure)
-        parts.append(f"![speed and accuracy, {scene}](chart_{scene}.png)\n")
+        parts += [f"![speed and accuracy, {scene}](chart_{scene}.png)\n",
+                  f"{scene}: what nothing cheaper is nearer than, core seconds and error\n", fronts(rows)]
     if not parts:
         return ""
     with open(out / "chart.csv", "w", newline="") as file:
