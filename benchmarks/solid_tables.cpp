@@ -183,6 +183,7 @@ void cost() {
     for (const Cantilever& plate : plates) {
       PlateCase from = model.plate(plate);
       from.only_face = true;
+      from.viscosity = v1::SolidMps().viscosity();  // by default
       Plate run(from);
       const double window = 2e-4, small = 1e-3 * plate.length / plate.deflection() * from.spacing();
       int windows = 0;

@@ -7,9 +7,9 @@ STIFFNESS = {"20MPa": 2e7, "200MPa": 2e8, "2GPa": 2e9, "20GPa": 2e10, "200GPa": 
 PAPER_SUBSTEP = {2e6: 1e-6, 2e7: 1e-6, 2e8: 1e-6, 2e9: 5e-7, 2e10: 5e-8, 2e11: 5e-8}
 FRAMES = {"output.frame_interval": 0.02}
 
-PAPER = {"solid.model": "mps", "solid.mps.pairs": "paper", "fluid.source": "deviation", "fluid.gradient": "p_min",
-         "fluid.gamma": 0.01, "fluid.compressibility": 1e-9, "coupling.scheme": "weak", "coupling.load": "held",
-         "time.stepping": "fixed", "time.window": 2e-5}
+PAPER = {"solid.model": "mps", "solid.mps.pairs": "paper", "solid.mps.viscosity": 0, "fluid.source": "deviation",
+         "fluid.gradient": "p_min", "fluid.gamma": 0.01, "fluid.compressibility": 1e-9, "coupling.scheme": "weak",
+         "coupling.load": "held", "time.stepping": "fixed", "time.window": 2e-5}
 PUBLIC_CODE = {"fluid.gamma": 0.01, "fluid.compressibility": 1e-6}  # defaults of the first author's program
 
 

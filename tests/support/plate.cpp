@@ -31,6 +31,8 @@ v1::Case PlateCase::make() const {
   solid.set_poisson_ratio(plate.poisson_ratio);
   solid.mutable_fem()->set_element(3 * spacing());
   solid.mutable_fem()->set_rho_infinity(1);
+  solid.mutable_mps()->set_viscosity(viscosity);
+  solid.mutable_hamiltonian()->set_viscosity(viscosity);
   if (steps_of_period > 0) solid.mutable_fem()->set_substep(1 / (steps_of_period * plate.timoshenko()));
   solid.set_damping_ratio(damping_ratio);
   v1::Body& body = *solid.add_body();

@@ -21,6 +21,7 @@ struct PlateCase {
   double gravity_x = 0;  ///< [m/s2]
   double damping_ratio = 0;
   int steps_of_period = 0;  ///< of `fem`, at least so many in the first period; 0: one step a window
+  double viscosity = 0;     ///< of `mps` and `hamiltonian`
   bool only_face = false;  ///< points on the left face alone, as water sees it; otherwise in all of the plate
 
   double spacing() const { return plate.thickness / particles; }

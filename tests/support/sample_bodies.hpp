@@ -18,6 +18,7 @@ struct Block {
   double poisson_ratio = 0.3;
   bool plane_stress = false;
   bool neo_hookean = false;
+  double viscosity = 0;  ///< of particles, over rho c_p l0
 
   v1::Body body() const {
     return plate({.columns = columns, .rows = rows, .clamped = clamped}).solid().body(0);
@@ -98,6 +99,7 @@ class ParticleSample {
   /// Sub-steps of the given share of the stable step.
   void advance(int substeps, double share) { body_.advance(substeps, share * stable_step_); }
   Body& body() { return body_; }
+  double stable_step() const { return stable_step_; }
 
  protected:
   ParticleSample(Body body, double stable_step) : body_(std::move(body)), stable_step_(stable_step) {}
@@ -110,7 +112,9 @@ class ParticleSample {
 inline constexpr double effective_radius = 2.1;
 
 inline particles::Substance<2> substance_of(const Block& block) {
-  return {.material = block.material(), .gravity = Vec<2>::Zero()};
+  return {.material = block.material(),
+          .gravity = Vec<2>::Zero(),
+          .retardation = block.viscosity * l0 / block.material().pressure_speed()};
 }
 
 template <v1::SolidMps::Pairs pairs>
@@ -125,7 +129,7 @@ class MpsSample : public ParticleSample<mps::MpsBody<2>> {
       : ParticleSample(
             {block.body(), 0, particles::full_stencil<2>(l0, effective_radius), substance_of(block), pairs},
             0) {
-    stable_step_ = 2 / body_.highest_frequency();
+    stable_step_ = particles::stable_step(body_.highest_frequency(), substance_of(block).retardation);
   }
 
   void deform(const Field& u, double angle) {
@@ -153,7 +157,7 @@ class HamiltonianSample : public ParticleSample<hamiltonian::HamiltonianBody<2>>
       : ParticleSample({block.body(), 0, particles::full_stencil<2>(l0, effective_radius),
                         substance_of(block), stabilisation},
                        0) {
-    stable_step_ = 2 / body_.highest_frequency();
+    stable_step_ = particles::stable_step(body_.highest_frequency(), substance_of(block).retardation);
   }
 
   void deform(const Field& u, double) {

@@ -102,12 +102,18 @@ struct Stress {
 };
 
 template <int dim>
-void HamiltonianBody<dim>::measure_stress(const Vectors& u) const {
+void HamiltonianBody<dim>::measure_stress(const Vectors& u, const Vectors* velocity) const {
   const Elasticity& material = substance_.material;
   const double lambda = material.lambda(), mu = material.mu(), per_mass = 1 / material.density;
   for (Eigen::Index i = grid_.first_slot(); i < grid_.last_slot(); i += grid_.lanes) {
     const Tensor H = displacement_gradient(u, i);
-    const Stress<dim> stress(H, lambda, mu);
+    Tensor later = H;
+    if (velocity != nullptr) {
+      const Tensor rate = displacement_gradient(*velocity, i);
+      for (int a = 0; a < dim; ++a)
+        for (int b = 0; b < dim; ++b) later[a][b] += substance_.retardation * rate[a][b];
+    }
+    const Stress<dim> stress(later, lambda, mu);
     for (int a = 0; a < dim; ++a) {
       std::array<Lanes, dim> P;
       for (int b = 0; b < dim; ++b) {
@@ -163,7 +169,7 @@ void HamiltonianBody<dim>::advance(int substeps, double dt) {
 template <int dim>
 void HamiltonianBody<dim>::accelerate(double dt, double load_fraction) {
   const double left = std::exp(-0.5 * substance_.damping_rate * dt);
-  measure_stress(displacement_);
+  measure_stress(displacement_, substance_.retardation > 0 ? &velocity_ : nullptr);
   for (Eigen::Index i = grid_.first_slot(); i < grid_.last_slot(); i += grid_.lanes) {
     const particles::LaneVec<dim> a = internal_acceleration(displacement_, i);
     for (int c = 0; c < dim; ++c) {
@@ -183,7 +189,7 @@ Energies HamiltonianBody<dim>::energies(double) const {
     const Tensor H = displacement_gradient(displacement_, i);
     Lanes unseen = Lanes::Zero();  // sum of w |d - H r0|^2
     for (const Neighbor& n : neighbors_) {
-      const particles::LaneVec<dim> d = this->relative_displacement(i, i + n.shift);
+      const particles::LaneVec<dim> d = Base::difference(displacement_, i, i + n.shift);
       for (int a = 0; a < dim; ++a) {
         Lanes e = d[a];
         for (int b = 0; b < dim; ++b) e -= (n.r0[b] / n.w) * H[a][b];
@@ -205,7 +211,7 @@ template <int dim>
 Field HamiltonianBody<dim>::acceleration() const {
   Vectors values;
   values.fill(Slots::Zero(grid_.slots()));
-  measure_stress(displacement_);
+  measure_stress(displacement_, nullptr);
   for (Eigen::Index i = grid_.first_slot(); i < grid_.last_slot(); i += grid_.lanes) {
     const particles::LaneVec<dim> a = internal_acceleration(displacement_, i);
     for (int k = 0; k < dim; ++k) at(values[k], i) = a[k];
@@ -225,7 +231,7 @@ double HamiltonianBody<dim>::highest_frequency() const {
     // Strains so small that their squares count nothing.
     const double scale = 1e-7 * stencil_.spacing / x.norm();
     for (std::size_t m = 0; m < unknowns.size(); ++m) u[unknowns[m].first][unknowns[m].second] = scale * x[m];
-    measure_stress(u);
+    measure_stress(u, nullptr);
     Vectors a = u;
     for (Eigen::Index i = grid_.first_slot(); i < grid_.last_slot(); i += grid_.lanes) {
       const particles::LaneVec<dim> lanes = internal_acceleration(u, i);
@@ -246,9 +252,17 @@ void HamiltonianBody<dim>::place(std::size_t particle, const Vec<dim>& displacem
 }
 
 template <int dim>
+void HamiltonianBody<dim>::save(StateWriter& state) const {
+  Base::save(state);
+  for (const Slots& values : acceleration_) state.put(values);
+  state.put(fresh_);
+}
+
+template <int dim>
 void HamiltonianBody<dim>::restore(StateReader& state) {
   Base::restore(state);
-  fresh_ = false;
+  for (Slots& values : acceleration_) state.get(values);
+  state.get(fresh_);
 }
 
 template <int dim>

@@ -27,6 +27,7 @@ class HamiltonianBody : public particles::ParticleBody<dim> {
   Energies energies(double dt) const override;
   Field acceleration() const override;
   void place(std::size_t particle, const Vec<dim>& displacement, const Vec<dim>& velocity) override;
+  void save(StateWriter& state) const override;
   void restore(StateReader& state) override;
 
  private:
@@ -47,7 +48,7 @@ class HamiltonianBody : public particles::ParticleBody<dim> {
 
   void sum_geometry();
   Tensor displacement_gradient(const Vectors& u, Eigen::Index i) const;
-  void measure_stress(const Vectors& u) const;
+  void measure_stress(const Vectors& u, const Vectors* velocity) const;
   particles::LaneVec<dim> internal_acceleration(const Vectors& u, Eigen::Index i) const;
   void accelerate(double dt, double load_fraction);
 
@@ -57,7 +58,7 @@ class HamiltonianBody : public particles::ParticleBody<dim> {
   Vectors first_moment_;   // sum of w r0 over them [m]: zero inside
   Tensors inverse_shape_;  // A^-1 [1/m2]
   mutable Tensors pull_;   // G = (P A^-1 - kappa c0 H) / rho
-  Vectors acceleration_;   // internal, of the present displacement
+  Vectors acceleration_;   // internal, of the present displacement and the velocity half a step before
   bool fresh_ = false;     // whether acceleration_ is
 };
 

@@ -42,6 +42,8 @@ MpsBody<dim>::MpsBody(const v1::Body& body, int index, const particles::Stencil<
   spin_.fill(zero);
   rotation_.fill(zero);
   rotation_[0] += 1;
+  later_displacement_ = displacement_;
+  later_rotation_ = rotation_;
   for (std::size_t p = 0; p < grid_.positions().size(); ++p) turns_[grid_.slot(p)] = grid_.held(p) ? 0 : 1;
 }
 
@@ -50,26 +52,42 @@ void MpsBody<dim>::advance(int substeps, double dt) {
   for (Slots& increment : ramp_increment_) increment.setZero();
   for (int k = 0; k < substeps; ++k) {
     const double load_fraction = (k + 0.5) / substeps;
-    if (dilatational_) measure_dilatation();
-    accelerate(dt, load_fraction);
+    const Pose strained = substance_.retardation > 0 ? look_ahead() : present();
+    if (dilatational_) measure_dilatation(strained);
+    accelerate(strained, dt, load_fraction);
     move(dt, load_fraction);
   }
 }
 
 template <int dim>
-typename MpsBody<dim>::Rot MpsBody<dim>::rotation_at(Eigen::Index i) const {
-  Rot rotation;
-  for (int k = 0; k < Rot::components; ++k) rotation.q[k] = at(rotation_[k], i);
-  return rotation;
+typename MpsBody<dim>::Rot MpsBody<dim>::Pose::rotation_at(Eigen::Index i) const {
+  Rot at_i;
+  for (int k = 0; k < Rot::components; ++k) at_i.q[k] = at(rotation[k], i);
+  return at_i;
+}
+
+/// Where the present velocities lead in the retardation time.
+template <int dim>
+typename MpsBody<dim>::Pose MpsBody<dim>::look_ahead() {
+  const double tau = substance_.retardation;
+  for (Eigen::Index i = grid_.first_slot(); i < grid_.last_slot(); i += grid_.lanes) {
+    for (int k = 0; k < dim; ++k)
+      at(later_displacement_[k], i) = at(displacement_[k], i) + tau * at(velocity_[k], i);
+    std::array<Lanes, Rot::spins> angle;
+    for (int k = 0; k < Rot::spins; ++k) angle[k] = tau * at(spin_[k], i);
+    const Rot turned = present().rotation_at(i).turned(angle);
+    for (int k = 0; k < Rot::components; ++k) at(later_rotation_[k], i) = turned.q[k];
+  }
+  return {later_displacement_, later_rotation_};
 }
 
 template <int dim>
-void MpsBody<dim>::measure_dilatation() const {
+void MpsBody<dim>::measure_dilatation(const Pose& strained) const {
   for (Eigen::Index i = grid_.first_slot(); i < grid_.last_slot(); i += grid_.lanes) {
     Lanes sum = Lanes::Zero();
     for (std::size_t b = 0; b < bonds_.size(); ++b) {
       const Bond& bond = bonds_[b];
-      LaneVec<dim> r = this->relative_displacement(i, i + bond.shift);
+      LaneVec<dim> r = Base::difference(strained.displacement, i, i + bond.shift);
       const Lanes reach = at(weights_.pairs[b].reach, i);
       Lanes square = Lanes::Constant(not_zero);
       for (int k = 0; k < dim; ++k) {
@@ -84,24 +102,26 @@ void MpsBody<dim>::measure_dilatation() const {
 }
 
 template <int dim>
-typename MpsBody<dim>::Acceleration MpsBody<dim>::internal_acceleration(Eigen::Index i) const {
+typename MpsBody<dim>::Acceleration MpsBody<dim>::internal_acceleration(const Pose& strained,
+                                                                        Eigen::Index i) const {
   Acceleration a;
   for (Lanes& component : a.linear) component.setZero();
   for (Lanes& component : a.angular) component.setZero();
   a.spring_energy.setZero();
-  const Rot rotation = rotation_at(i);
+  const Rot rotation = strained.rotation_at(i);
   for (std::size_t b = 0; b < bonds_.size(); ++b) {
     const Bond& bond = bonds_[b];
     const auto& weight = weights_.pairs[b];
     const Eigen::Index j = i + bond.shift;
-    const typename Rot::Pair both = rotation.with(rotation_at(j));
+    const typename Rot::Pair both = rotation.with(strained.rotation_at(j));
     const LaneVec<dim> unstrained = both.turn(bond.r0);
-    LaneVec<dim> r = this->relative_displacement(i, j), force;
+    const LaneVec<dim> later = Base::difference(strained.displacement, i, j);
+    LaneVec<dim> r = Base::difference(displacement_, i, j), force;
     const Lanes spring = bond.spring * at(weight.spring, i), reach = at(weight.reach, i);
     Lanes square = Lanes::Constant(not_zero);
     for (int k = 0; k < dim; ++k) {
       r[k] += bond.r0[k] * reach;
-      const Lanes u = r[k] - reach * unstrained[k];
+      const Lanes u = later[k] + reach * (bond.r0[k] - unstrained[k]);
       force[k] = spring * u;
       a.linear[k] += force[k];
       a.spring_energy += force[k] * u;
@@ -126,10 +146,10 @@ typename MpsBody<dim>::Acceleration MpsBody<dim>::internal_acceleration(Eigen::I
 }
 
 template <int dim>
-void MpsBody<dim>::accelerate(double dt, double load_fraction) {
+void MpsBody<dim>::accelerate(const Pose& strained, double dt, double load_fraction) {
   const double left = std::exp(-substance_.damping_rate * dt);
   for (Eigen::Index i = grid_.first_slot(); i < grid_.last_slot(); i += grid_.lanes) {
-    const Acceleration a = internal_acceleration(i);
+    const Acceleration a = internal_acceleration(strained, i);
     for (int k = 0; k < dim; ++k) {
       const Lanes load = at(load_[k], i) + load_fraction * at(load_change_[k], i);
       at(velocity_[k], i) = left * at(velocity_[k], i) + dt * at(free_[k], i) * (a.linear[k] + load);
@@ -145,7 +165,7 @@ void MpsBody<dim>::move(double dt, double load_fraction) {
     this->drift(i, dt, load_fraction);
     std::array<Lanes, Rot::spins> angle;
     for (int k = 0; k < Rot::spins; ++k) angle[k] = dt * at(spin_[k], i);
-    const Rot turned = rotation_at(i).turned(angle);
+    const Rot turned = present().rotation_at(i).turned(angle);
     for (int k = 0; k < Rot::components; ++k) at(rotation_[k], i) = turned.q[k];
   }
 }
@@ -187,10 +207,10 @@ double MpsBody<dim>::highest_frequency() const {
     const double scale = 1e-7 * stencil_.spacing / x.norm();
     for (std::size_t m = 0; m < unknowns.size(); ++m)
       *unknowns[m].coordinate = scale * x[m] * (unknowns[m].component < dim ? 1 : 0.5 / gyration);
-    if (dilatational_) moved.measure_dilatation();
+    if (dilatational_) moved.measure_dilatation(moved.present());
     std::vector<Slots> a(dim + Rot::spins, Slots::Zero(grid_.slots()));
     for (Eigen::Index i = grid_.first_slot(); i < grid_.last_slot(); i += grid_.lanes) {
-      const Acceleration lanes = moved.internal_acceleration(i);
+      const Acceleration lanes = moved.internal_acceleration(moved.present(), i);
       for (int k = 0; k < dim; ++k) at(a[k], i) = lanes.linear[k];
       for (int k = 0; k < Rot::spins; ++k) at(a[dim + k], i) = gyration * lanes.angular[k];
     }
@@ -205,9 +225,9 @@ template <int dim>
 Field MpsBody<dim>::acceleration() const {
   std::array<Slots, dim> values;
   values.fill(Slots::Zero(grid_.slots()));
-  if (dilatational_) measure_dilatation();
+  if (dilatational_) measure_dilatation(present());
   for (Eigen::Index i = grid_.first_slot(); i < grid_.last_slot(); i += grid_.lanes) {
-    const Acceleration a = internal_acceleration(i);
+    const Acceleration a = internal_acceleration(present(), i);
     for (int k = 0; k < dim; ++k) at(values[k], i) = a.linear[k];
   }
   return this->gather(values);
@@ -231,9 +251,9 @@ template <int dim>
 Energies MpsBody<dim>::energies(double dt) const {
   const double inertia = stencil_.spacing * stencil_.spacing / 6;
   Lanes kinetic = Lanes::Zero(), elastic = Lanes::Zero(), gravity = Lanes::Zero();
-  if (dilatational_) measure_dilatation();
+  if (dilatational_) measure_dilatation(present());
   for (Eigen::Index i = grid_.first_slot(); i < grid_.last_slot(); i += grid_.lanes) {
-    const Acceleration a = internal_acceleration(i);
+    const Acceleration a = internal_acceleration(present(), i);
     for (int k = 0; k < dim; ++k) {
       const Lanes half_step = 0.5 * dt * at(free_[k], i);
       const Lanes load = at(load_[k], i) + at(load_change_[k], i);

@@ -67,17 +67,30 @@ class MpsBody : public particles::ParticleBody<dim> {
     Lanes spring_energy;  // twice the energy of the particle's pairs over its mass [m2/s2]
   };
 
-  Rot rotation_at(Eigen::Index i) const;
-  void measure_dilatation() const;
-  Acceleration internal_acceleration(Eigen::Index i) const;
-  void accelerate(double dt, double load_fraction);
+  using Displacements = std::array<Slots, dim>;
+  using Rotations = std::array<Slots, Rot::components>;
+
+  /// What strains are measured of: the present pose, or that of the retardation time ahead (S40).
+  struct Pose {
+    const Displacements& displacement;
+    const Rotations& rotation;
+    Rot rotation_at(Eigen::Index i) const;
+  };
+
+  Pose present() const { return {displacement_, rotation_}; }
+  Pose look_ahead();
+  void measure_dilatation(const Pose& strained) const;
+  Acceleration internal_acceleration(const Pose& strained, Eigen::Index i) const;
+  void accelerate(const Pose& strained, double dt, double load_fraction);
   void move(double dt, double load_fraction);
 
   PairWeights<dim> weights_;
   bool dilatational_;  // lambda > 0: without it there is no pressure, and no square root in the pair sums
   std::vector<Bond> bonds_;
   Slots turns_;  // 1 or 0: whether the particle may rotate
-  std::array<Slots, Rot::components> rotation_;
+  Rotations rotation_;
+  Displacements later_displacement_;  // the retardation time ahead
+  Rotations later_rotation_;
   std::array<Slots, Rot::spins> spin_;
   mutable Slots dilatation_;
 };

@@ -34,10 +34,11 @@ void ParticleBody<dim>::set_load(const Eigen::Ref<const Field>& first, const Eig
 }
 
 template <int dim>
-LaneVec<dim> ParticleBody<dim>::relative_displacement(Eigen::Index i, Eigen::Index j) const {
-  LaneVec<dim> difference;
-  for (int k = 0; k < dim; ++k) difference[k] = at(displacement_[k], j) - at(displacement_[k], i);
-  return difference;
+LaneVec<dim> ParticleBody<dim>::difference(const std::array<Slots, dim>& values, Eigen::Index i,
+                                           Eigen::Index j) {
+  LaneVec<dim> by_axis;
+  for (int k = 0; k < dim; ++k) by_axis[k] = at(values[k], j) - at(values[k], i);
+  return by_axis;
 }
 
 template <int dim>

@@ -17,6 +17,7 @@ struct Substance {
   Elasticity material;
   Vec<dim> gravity;         ///< [m/s2]
   double damping_rate = 0;  ///< of all velocities [1/s]: v' = ... - rate v
+  double retardation = 0;   ///< tau of Kelvin and Voigt's stress, S(E + tau dE/dt) [s] (S40)
 };
 
 /// Particles on the slots of a BodyGrid, moved by explicit sub-steps; what pulls them is the derived class's.
@@ -56,7 +57,8 @@ class ParticleBody {
   virtual void restore(StateReader& state);
 
  protected:
-  LaneVec<dim> relative_displacement(Eigen::Index i, Eigen::Index j) const;
+  /// Of slot j less that of slot i.
+  static LaneVec<dim> difference(const std::array<Slots, dim>& values, Eigen::Index i, Eigen::Index j);
   Field gather(const std::array<Slots, dim>& values) const;
 
   /// u += dt v, and the ramp's share of it.

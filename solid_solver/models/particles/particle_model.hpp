@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "solid_solver/damping.hpp"
@@ -60,6 +61,14 @@ class ParticleModel : public SolidModel {
   std::vector<Eigen::Index> first_;  // node of each body, and their number
 };
 
+/// Longest stable step of explicit particles [s], central differences with the viscous force of the velocity
+/// half a step before (S12, S41).
+/// @param highest frequency [rad/s]
+inline double stable_step(double highest, double retardation) {
+  const double ratio = 0.5 * highest * retardation;  // of the fastest motion's damping to critical damping
+  return 2 / highest * (std::sqrt(1 + ratio * ratio) - ratio);
+}
+
 /// The model of a case's bodies. `make_body(body, number, stencil, substance)` makes a ParticleBody that
 /// states its highest_frequency() [rad/s]; `parameters` is the model's table in the case, `key` its name:
 /// "solid.mps".
@@ -71,18 +80,21 @@ std::unique_ptr<SolidModel> make_particle_model(const v1::Solid& solid, double s
   const Elasticity material = elasticity_of<dim>(solid);
   const std::vector<double> damping = damping_rates<dim>(solid);
   typename ParticleModel<dim>::Bodies bodies;
+  const double retardation = parameters.viscosity() * spacing / material.pressure_speed();  // (S40)
   double highest = 0;
   for (int b = 0; b < solid.body_size(); ++b) {
-    auto body =
-        make_body(solid.body(b), b, stencil,
-                  Substance<dim>{.material = material, .gravity = gravity, .damping_rate = damping[b]});
+    auto body = make_body(solid.body(b), b, stencil,
+                          Substance<dim>{.material = material,
+                                         .gravity = gravity,
+                                         .damping_rate = damping[b],
+                                         .retardation = retardation});
     highest = std::max(highest, body->highest_frequency());
     bodies.push_back(std::move(body));
   }
   return std::make_unique<ParticleModel<dim>>(
       std::move(bodies), material, spacing,
       typename ParticleModel<dim>::Steps{.key = key,
-                                         .stable = 2 / highest,
+                                         .stable = stable_step(highest, retardation),
                                          .fraction = parameters.step_fraction(),
                                          .fixed = parameters.substep()});
 }

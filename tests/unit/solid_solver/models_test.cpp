@@ -99,6 +99,8 @@ TEST_P(Models, TheVelocityIsTheMeanOrThatAtTheEnd) {
 TEST_P(Models, WorkIsTheChangeOfEnergy) {
   v1::Case c = scene({.rows = 40, .poisson_ratio = 0.3});
   c.mutable_solid()->mutable_fem()->set_rho_infinity(1);  // no damping
+  c.mutable_solid()->mutable_mps()->set_viscosity(0);
+  c.mutable_solid()->mutable_hamiltonian()->set_viscosity(0);
   LoadedSolid run(c, test::left_face(40));
   double gross = 0, work = 0, energy = 0;
   for (int k = 0; k < 40; ++k) {

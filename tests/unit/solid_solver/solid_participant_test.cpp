@@ -78,8 +78,13 @@ TEST(SolidParticipant, VelocityIsTheMeanOverTheWindow) {
 
 TEST(SolidParticipant, SubStepsStayBelowTheStableStep) {
   v1::Case c = test::plate({.rows = 20});
+  const double viscous = LoadedSolid(c, {}).setup.substep / 0.7;
+  c.mutable_solid()->mutable_mps()->set_viscosity(0);
   LoadedSolid run(c, {});
   const double stable = run.setup.substep / 0.7;
+  // (S40), (S41): by default tau = 0.2 l0 / c_p, c_p = 20 m/s, and omega_max = 2 / stable.
+  const double ratio = 0.2 * l0 / 20 / stable;
+  EXPECT_NEAR(viscous / stable, std::sqrt(1 + ratio * ratio) - ratio, 1e-12);
   // That of the rotations in the endless lattice; springs of a body's own weights are up to 7 % faster.
   const double lattice = 2 / std::sqrt(24.0) * l0 / std::sqrt(1e6 / 2 / 2500);
   EXPECT_LE(stable / lattice, 1);

@@ -238,6 +238,8 @@ TEST_P(SpaceModels, WorkIsTheChangeOfEnergyAndAStateComesBackBitForBit) {
   c.mutable_solid()->set_model(GetParam());
   c.mutable_solid()->mutable_fem()->set_rho_infinity(1);
   c.mutable_solid()->mutable_fem()->set_element(0.0015);
+  c.mutable_solid()->mutable_mps()->set_viscosity(0);
+  c.mutable_solid()->mutable_hamiltonian()->set_viscosity(0);
   c.mutable_solid()->mutable_mps()->set_step_fraction(0.35);  // Euler's ripple is (omega dt)^2: 2e-3 at 0.7
   c.mutable_coupling()->set_load(v1::Coupling::ramped);
   constexpr int count = 4 * 12;
