@@ -12,7 +12,7 @@ RATE = np.sqrt(GRAVITY / HEIGHT)  # 1/s, tau = 1
 SPEED = np.sqrt(GRAVITY * HEIGHT)  # m/s, Cv = 1
 CUT_OFF, ORDER = 70.0, 4  # Hz; Butterworth, forward and backward: no delay
 STEP = 2e-5  # s, of the even series that the filter gets: the paper's window
-SECOND_PEAK = (4.5, 6.5)  # tau: the upward water has fallen back
+SECOND_PEAK = (4.5, 7.0)  # tau: the upward water falls back
 LATE = (7.0, 11.59)  # tau: after it
 BLOW = 2.3  # tau: until here the first blow's impulse
 
@@ -60,11 +60,14 @@ def pressure_numbers(history, name):
     times, raw = history.even(name)
     tau, smooth = times * RATE, low_passed(raw)
     first = tau < SECOND_PEAK[0]
+    second = (tau >= SECOND_PEAK[0]) & (tau <= SECOND_PEAK[1])
+    fallen = tau[-1] > SECOND_PEAK[1]
     whole = tau[-1] > LATE[1] - 0.01
     return {
         f"{name}_peak": smooth[first].max(), f"{name}_peak_tau": tau[first][smooth[first].argmax()],
         f"{name}_raw_peak": history.pressure[name][history.tau < SECOND_PEAK[0]].max() / PRESSURE,
-        f"{name}_second_peak": between(tau, smooth, SECOND_PEAK).max() if tau[-1] > SECOND_PEAK[1] else np.nan,
+        f"{name}_second_peak": smooth[second].max() if fallen else np.nan,
+        f"{name}_second_peak_tau": tau[second][smooth[second].argmax()] if fallen else np.nan,
         f"{name}_late_mean": between(tau, raw, LATE).mean() if whole else np.nan,
         f"{name}_impulse": np.trapz(raw, tau) if whole else np.nan,
         f"{name}_impulse_first": np.trapz(raw[tau < BLOW], tau[tau < BLOW]) if tau[-1] > BLOW - 0.01 else np.nan,
