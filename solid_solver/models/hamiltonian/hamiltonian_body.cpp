@@ -32,7 +32,7 @@ HamiltonianBody<dim>::HamiltonianBody(const v1::Body& body, int index, const par
   weight_ = zero;
   first_moment_.fill(zero);
   acceleration_.fill(zero);
-  for (auto* tensors : {&inverse_shape_, &pull_})
+  for (auto* tensors : {&inverse_shape_, &pull_, &gradient_})
     for (auto& row : *tensors) row.fill(zero);
   sum_geometry();
 }
@@ -101,31 +101,49 @@ struct Stress {
   }
 };
 
+/// The gradient in the retardation time, H + tau dH/dt (S40). H is linear in the displacement: what it has
+/// changed by in a sub-step is the gradient of the velocity in it. With dt = 0, of the present velocity.
 template <int dim>
-void HamiltonianBody<dim>::measure_stress(const Vectors& u, const Vectors* velocity) const {
+typename HamiltonianBody<dim>::Tensor HamiltonianBody<dim>::later_gradient(const Tensor& H, Eigen::Index i,
+                                                                           double dt) {
+  const double tau = substance_.retardation;
+  if (tau == 0) return H;
+  Tensor later = dt == 0 ? displacement_gradient(velocity_, i) : H;
+  for (int a = 0; a < dim; ++a) {
+    for (int b = 0; b < dim; ++b) {
+      later[a][b] = H[a][b] + (dt == 0 ? Lanes(tau * later[a][b])
+                                       : Lanes(tau / dt * (H[a][b] - at(gradient_[a][b], i))));
+      at(gradient_[a][b], i) = H[a][b];
+    }
+  }
+  return later;
+}
+
+/// G of a particle with the gradient H, whose stress is that of another.
+template <int dim>
+void HamiltonianBody<dim>::put_stress(const Tensor& H, const Tensor& later, Eigen::Index i) const {
   const Elasticity& material = substance_.material;
-  const double lambda = material.lambda(), mu = material.mu(), per_mass = 1 / material.density;
+  const double per_mass = 1 / material.density;
+  const Stress<dim> stress(later, material.lambda(), material.mu());
+  for (int a = 0; a < dim; ++a) {
+    std::array<Lanes, dim> P;
+    for (int b = 0; b < dim; ++b) {
+      P[b] = stress.S[a][b];
+      for (int c = 0; c < dim; ++c) P[b] += H[a][c] * stress.S[c][b];
+    }
+    for (int b = 0; b < dim; ++b) {
+      Lanes G = -0.5 * hold_ * H[a][b];
+      for (int c = 0; c < dim; ++c) G += per_mass * P[c] * at(inverse_shape_[c][b], i);
+      at(pull_[a][b], i) = G;
+    }
+  }
+}
+
+template <int dim>
+void HamiltonianBody<dim>::measure_stress(const Vectors& u) const {
   for (Eigen::Index i = grid_.first_slot(); i < grid_.last_slot(); i += grid_.lanes) {
     const Tensor H = displacement_gradient(u, i);
-    Tensor later = H;
-    if (velocity != nullptr) {
-      const Tensor rate = displacement_gradient(*velocity, i);
-      for (int a = 0; a < dim; ++a)
-        for (int b = 0; b < dim; ++b) later[a][b] += substance_.retardation * rate[a][b];
-    }
-    const Stress<dim> stress(later, lambda, mu);
-    for (int a = 0; a < dim; ++a) {
-      std::array<Lanes, dim> P;
-      for (int b = 0; b < dim; ++b) {
-        P[b] = stress.S[a][b];
-        for (int c = 0; c < dim; ++c) P[b] += H[a][c] * stress.S[c][b];
-      }
-      for (int b = 0; b < dim; ++b) {
-        Lanes G = -0.5 * hold_ * H[a][b];
-        for (int c = 0; c < dim; ++c) G += per_mass * P[c] * at(inverse_shape_[c][b], i);
-        at(pull_[a][b], i) = G;
-      }
-    }
+    put_stress(H, H, i);
   }
 }
 
@@ -169,7 +187,10 @@ void HamiltonianBody<dim>::advance(int substeps, double dt) {
 template <int dim>
 void HamiltonianBody<dim>::accelerate(double dt, double load_fraction) {
   const double left = std::exp(-0.5 * substance_.damping_rate * dt);
-  measure_stress(displacement_, substance_.retardation > 0 ? &velocity_ : nullptr);
+  for (Eigen::Index i = grid_.first_slot(); i < grid_.last_slot(); i += grid_.lanes) {
+    const Tensor H = displacement_gradient(displacement_, i);
+    put_stress(H, later_gradient(H, i, dt), i);
+  }
   for (Eigen::Index i = grid_.first_slot(); i < grid_.last_slot(); i += grid_.lanes) {
     const particles::LaneVec<dim> a = internal_acceleration(displacement_, i);
     for (int c = 0; c < dim; ++c) {
@@ -211,7 +232,7 @@ template <int dim>
 Field HamiltonianBody<dim>::acceleration() const {
   Vectors values;
   values.fill(Slots::Zero(grid_.slots()));
-  measure_stress(displacement_, nullptr);
+  measure_stress(displacement_);
   for (Eigen::Index i = grid_.first_slot(); i < grid_.last_slot(); i += grid_.lanes) {
     const particles::LaneVec<dim> a = internal_acceleration(displacement_, i);
     for (int k = 0; k < dim; ++k) at(values[k], i) = a[k];
@@ -231,7 +252,7 @@ double HamiltonianBody<dim>::highest_frequency() const {
     // Strains so small that their squares count nothing.
     const double scale = 1e-7 * stencil_.spacing / x.norm();
     for (std::size_t m = 0; m < unknowns.size(); ++m) u[unknowns[m].first][unknowns[m].second] = scale * x[m];
-    measure_stress(u, nullptr);
+    measure_stress(u);
     Vectors a = u;
     for (Eigen::Index i = grid_.first_slot(); i < grid_.last_slot(); i += grid_.lanes) {
       const particles::LaneVec<dim> lanes = internal_acceleration(u, i);
@@ -254,6 +275,8 @@ void HamiltonianBody<dim>::place(std::size_t particle, const Vec<dim>& displacem
 template <int dim>
 void HamiltonianBody<dim>::save(StateWriter& state) const {
   Base::save(state);
+  for (const auto& row : gradient_)
+    for (const Slots& values : row) state.put(values);
   for (const Slots& values : acceleration_) state.put(values);
   state.put(fresh_);
 }
@@ -261,6 +284,8 @@ void HamiltonianBody<dim>::save(StateWriter& state) const {
 template <int dim>
 void HamiltonianBody<dim>::restore(StateReader& state) {
   Base::restore(state);
+  for (auto& row : gradient_)
+    for (Slots& values : row) state.get(values);
   for (Slots& values : acceleration_) state.get(values);
   state.get(fresh_);
 }

@@ -48,7 +48,9 @@ class HamiltonianBody : public particles::ParticleBody<dim> {
 
   void sum_geometry();
   Tensor displacement_gradient(const Vectors& u, Eigen::Index i) const;
-  void measure_stress(const Vectors& u, const Vectors* velocity) const;
+  Tensor later_gradient(const Tensor& H, Eigen::Index i, double dt);
+  void put_stress(const Tensor& H, const Tensor& later, Eigen::Index i) const;
+  void measure_stress(const Vectors& u) const;
   particles::LaneVec<dim> internal_acceleration(const Vectors& u, Eigen::Index i) const;
   void accelerate(double dt, double load_fraction);
 
@@ -58,6 +60,7 @@ class HamiltonianBody : public particles::ParticleBody<dim> {
   Vectors first_moment_;   // sum of w r0 over them [m]: zero inside
   Tensors inverse_shape_;  // A^-1 [1/m2]
   mutable Tensors pull_;   // G = (P A^-1 - kappa c0 H) / rho
+  Tensors gradient_;       // H of the sub-step before
   Vectors acceleration_;   // internal, of the present displacement and the velocity half a step before
   bool fresh_ = false;     // whether acceleration_ is
 };
