@@ -217,7 +217,13 @@ def swapped(numbers, out):
 
 def draw(out, numbers, found):
     """Saves the figures that there are runs for; returns the lines of the page that show them."""
-    pictures = {}
+    shown = {}
+
+    def put(name, figure):
+        figure.savefig(out / f"{name}.png", dpi=90)
+        figures.plt.close(figure)
+        shown[name] = f"![{name.replace('_', ' ')}]({name}.png)\n"
+
     folder = numbers.study.folder
     tips = {label: numbers.histories[name] for label, name in
             (("the paper's settings, 1 mm", "verification_paper_1mm"),
@@ -225,12 +231,12 @@ def draw(out, numbers, found):
              ("recommended, 2 mm", "verification_recommended_2mm"))
             if name in numbers.histories}
     if tips:
-        pictures["tip"] = figures.fig3_tip(tips, CASE_FOLDER)
+        put("tip", figures.fig3_tip(tips, CASE_FOLDER))
     for settings in ("paper", "recommended"):
         if f"verification_{settings}_1mm" in numbers.rows:
-            pictures[f"snapshots_{settings}"] = figures.fig2_snapshots(folder / f"verification_{settings}_1mm")
+            put(f"snapshots_{settings}", figures.fig2_snapshots(folder / f"verification_{settings}_1mm"))
     if found:
-        pictures["convergence"] = figures.convergence(found)
+        put("convergence", figures.convergence(found))
     for settings, spacing in FAMILIES:
         rows = numbers.family(settings, spacing)
         if len(rows) < 2:
@@ -239,18 +245,15 @@ def draw(out, numbers, found):
         histories = {label: numbers.histories[f"stiffness_{settings}_{label}_{spacing}"] for label in rows}
         for label in ("20MPa", "rigid"):
             if label in histories:
-                pictures[f"spectrum_{label}_{tag}"] = figures.fig4_spectrum(histories[label])
+                put(f"spectrum_{label}_{tag}", figures.fig4_spectrum(histories[label]))
         for name in ("P01", "P02"):
-            pictures[f"{name}_{tag}"] = figures.fig6_filtered(histories, name)
-        pictures[f"impulses_{tag}"] = figures.fig8_impulses(rows)
-        pictures[f"tips_{tag}"] = figures.fig9_tips(histories, rows)
+            put(f"{name}_{tag}", figures.fig6_filtered(histories, name))
+        put(f"impulses_{tag}", figures.fig8_impulses(rows))
+        put(f"tips_{tag}", figures.fig9_tips(histories, rows))
         if spacing == max(("1mm", "2mm"), key=lambda finest: len(numbers.family(settings, finest))):
-            pictures[f"speeds_{tag}"] = figures.fig10_speeds(
-                {label: folder / f"stiffness_{settings}_{label}_{spacing}" for label in rows})
-    for name, figure in pictures.items():
-        figure.savefig(out / f"{name}.png", dpi=90)
-        figures.plt.close(figure)
-    return {name: f"![{name.replace('_', ' ')}]({name}.png)\n" for name in pictures}
+            put(f"speeds_{tag}", figures.fig10_speeds(
+                {label: folder / f"stiffness_{settings}_{label}_{spacing}" for label in rows}))
+    return shown
 
 
 def write(study, out):
