@@ -49,8 +49,8 @@ inline double area_of_disk(double radius, int sides = 96) {
 /// The corner of a cube: (0, 0, 0) and the points at `size` on the axes, then moved by `shift`; volume
 /// size^3 / 6.
 inline v1::Shape tetrahedron(double size, const Vec<3>& shift) {
-  const Vec<3> o = shift, x = shift + size * Vec<3>::Unit(0), y = shift + size * Vec<3>::Unit(1),
-               z = shift + size * Vec<3>::Unit(2);
+  const Vec<3>& o = shift;
+  const Vec<3> x = o + size * Vec<3>::Unit(0), y = o + size * Vec<3>::Unit(1), z = o + size * Vec<3>::Unit(2);
   return outline<3>({o, y, x, o, x, z, o, z, y, x, y, z});
 }
 

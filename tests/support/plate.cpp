@@ -54,9 +54,11 @@ Plate::Plate(const PlateCase& from) {
                 .position = Field(2, rows * columns),
                 .area = Field::Zero(2, rows * columns),
                 .body = {}};
-  for (long k = 0; k < rows * columns; ++k)
-    interface_.position.col(k) << l0 * (static_cast<double>(k % columns) + 0.5),
-        l0 * (static_cast<double>(k / columns) + 0.5);
+  for (long k = 0; k < rows * columns; ++k) {
+    const long row = k / columns, column = k % columns;
+    interface_.position.col(k) << l0 * (static_cast<double>(column) + 0.5),
+        l0 * (static_cast<double>(row) + 0.5);
+  }
   interface_.body.assign(static_cast<std::size_t>(rows * columns), 0);
   setup_ = solid_.initialize(from.make(), interface_, surface_);
 }

@@ -20,7 +20,7 @@ using Samples = testing::Types<CorrectedSample, PaperSample, FemSample, Hamilton
 class SampleNames {
  public:
   template <typename Sample>
-  static std::string GetName(int) {
+  static std::string GetName(int) {  // NOLINT(readability-identifier-naming): GoogleTest's name
     if constexpr (std::is_same_v<Sample, CorrectedSample>) return "mps";
     if constexpr (std::is_same_v<Sample, PaperSample>) return "mps_paper";
     if constexpr (std::is_same_v<Sample, FemSample>) return "fem";
