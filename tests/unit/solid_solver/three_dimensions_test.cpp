@@ -150,12 +150,14 @@ double swing_of_particles(double width, double poisson_ratio, double expected) {
   v1::Case c = brick(0.012, width, 0.060, true, 0.002);
   c.mutable_solid()->set_model(v1::SolidModel::mps);
   c.mutable_solid()->set_poisson_ratio(poisson_ratio);
-  const int along = static_cast<int>(std::lround(width / 0.002)), rows = 30;
-  Interface points{
-      .dimension = 3, .position = Field(3, along * rows), .area = Field::Zero(3, along * rows), .body = {}};
-  for (int k = 0; k < along * rows; ++k)
-    points.position.col(k) << 0.001, (k % along) * 0.002 + 0.001, (k / along) * 0.002 + 0.001;
-  points.body.assign(static_cast<std::size_t>(along * rows), 0);
+  const long along = std::lround(width / 0.002), rows = 30, all = along * rows;
+  Interface points{.dimension = 3, .position = Field(3, all), .area = Field::Zero(3, all), .body = {}};
+  for (long k = 0; k < all; ++k) {
+    const long row = k / along, column = k % along;
+    points.position.col(k) << 0.001, static_cast<double>(column) * 0.002 + 0.001,
+        static_cast<double>(row) * 0.002 + 0.001;
+  }
+  points.body.assign(static_cast<std::size_t>(all), 0);
   LoadedSolid run(c, points);
   constexpr int per_period = 100;
   const double window = 1 / (expected * per_period);
@@ -163,7 +165,7 @@ double swing_of_particles(double width, double poisson_ratio, double expected) {
   double before = 0;
   for (int k = 1; middles.size() < 2; ++k) {
     const double phase = std::min(1.0, static_cast<double>(k) / per_period);
-    run.surface.force.setZero(3, along * rows);
+    run.surface.force.setZero(3, all);
     run.surface.force.row(0).setConstant(1e-6 * std::pow(std::sin(std::numbers::pi * phase), 2));
     run.advance(window);
     const double now = run.surface.displacement.row(0).tail(along).mean();
@@ -244,8 +246,10 @@ TEST_P(SpaceModels, WorkIsTheChangeOfEnergyAndAStateComesBackBitForBit) {
   c.mutable_coupling()->set_load(v1::Coupling::ramped);
   constexpr int count = 4 * 12;
   Interface points{.dimension = 3, .position = Field(3, count), .area = Field::Zero(3, count), .body = {}};
-  for (int k = 0; k < count; ++k)
-    points.position.col(k) << 0.5 * l0, (k % 4 + 0.5) * l0, (static_cast<double>(k / 4) + 0.5) * l0;
+  for (int k = 0; k < count; ++k) {
+    const int row = k / 4, column = k % 4;
+    points.position.col(k) << 0.5 * l0, (column + 0.5) * l0, (row + 0.5) * l0;
+  }
   points.body.assign(count, 0);
   LoadedSolid run(c, points), other(c, points);
   const bool particles = GetParam() == v1::SolidModel::hamiltonian || GetParam() == v1::SolidModel::mps;
