@@ -32,7 +32,7 @@ Mat<dim> in_order(Mat<dim> left) {
 template <int dim>
 Mat<dim> principal_axes(const Mat<dim>& second) {
   const Eigen::SelfAdjointEigenSolver<Mat<dim>> solver(second);
-  const Vec<dim> values = solver.eigenvalues();
+  const Vec<dim>& values = solver.eigenvalues();
   for (int k = 0; k + 1 < dim; ++k)
     if (values[k + 1] - values[k] < alike * values[dim - 1]) return Mat<dim>::Identity();
   return in_order<dim>(solver.eigenvectors());
