@@ -143,8 +143,8 @@ def fig10_speeds(folders):
             wall = np.isin(fluid["kind"], snapshots.WALL_KINDS)
             speed = np.linalg.norm(fluid["velocity"][water], axis=1) / measures.SPEED
             snapshots.dots(axes, fluid["position"][wall], frames.spacing["fluid"], 1.6, color=snapshots.WALL_COLOR)
-            image = snapshots.dots(axes, fluid["position"][water], frames.spacing["fluid"], c=speed, cmap="jet", vmin=0,
-                                  vmax=2)
+            image = snapshots.dots(axes, fluid["position"][water], frames.spacing["fluid"], c=speed, cmap="jet",
+                                   vmin=0, vmax=2)
             snapshots.dots(axes, frame["solid"]["position"], frames.spacing["solid"], 1.4, color=snapshots.SOLID_COLOR)
             axes.set_title(f"{label}, tau = {frame['time'] * measures.RATE:.2f}", fontsize=8)
     figure.colorbar(image, ax=grid, label="|v| / sqrt(g H)", shrink=0.5, extend="max")

@@ -114,12 +114,11 @@ def stiffness(rows):
             limits = (rigid, rigid) if label == "rigid" and rigid else elastic
             cells.append(f"{number(rows[label][key])} ({paper.verdict(rows[label][key], limits)})")
         lines.append([what, band(elastic) + (f"; rigid {number(rigid)}" if rigid else ""), *cells])
+    theirs = {"tip_over_thickness": "0.35 at 20 MPa", "P01_second_peak_tau": "5.5"}
     for key, what in (("P01_second_peak_tau", "P01, second peak at tau"), ("P01_raw_peak", "P01, raw peak"),
                       ("P02_raw_peak", "P02, raw peak"), ("P01_noise", "P01, noise above 70 Hz over the peak"),
                       ("tip_over_thickness", "largest tip / e"), ("core_s", "core seconds")):
-        theirs = {"tip_over_thickness": "0.35 at 20 MPa", "P01_second_peak_tau": "5.5"}
-        lines.append([what, theirs.get(key, ""),
-                      *[number(rows[label][key]) for label in labels]])
+        lines.append([what, theirs.get(key, ""), *[number(rows[label][key]) for label in labels]])
     return table(["", "paper", *labels], lines)
 
 

@@ -106,13 +106,14 @@ struct Stress {
 template <int dim>
 typename HamiltonianBody<dim>::Tensor HamiltonianBody<dim>::later_gradient(const Tensor& H, Eigen::Index i,
                                                                            double dt) {
-  const double tau = substance_.retardation;
-  if (tau == 0) return H;
-  Tensor later = dt == 0 ? displacement_gradient(velocity_, i) : H;
+  if (substance_.retardation == 0) return H;
+  const bool starts = dt == 0;
+  const double ahead = starts ? substance_.retardation : substance_.retardation / dt;
+  Tensor later = starts ? displacement_gradient(velocity_, i) : H;
   for (int a = 0; a < dim; ++a) {
     for (int b = 0; b < dim; ++b) {
-      later[a][b] = H[a][b] + (dt == 0 ? Lanes(tau * later[a][b])
-                                       : Lanes(tau / dt * (H[a][b] - at(gradient_[a][b], i))));
+      if (!starts) later[a][b] -= at(gradient_[a][b], i);
+      later[a][b] = H[a][b] + ahead * later[a][b];
       at(gradient_[a][b], i) = H[a][b];
     }
   }

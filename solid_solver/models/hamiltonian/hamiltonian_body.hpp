@@ -10,8 +10,8 @@ namespace cosurge::hamiltonian {
 /// Total Lagrangian particles (Kondo et al. 2010; docs/method_solid.md, section 9): deformation gradients by
 /// weighted least squares over the reference neighbours, St. Venant-Kirchhoff material, and a second energy
 /// of what those gradients do not see, which holds the shortest waves. Forces are the exact derivative of the
-/// sum: energy, linear and angular momentum are kept. Velocity Verlet. Sums run over the neighbours in
-/// ascending order, eight particles at a time.
+/// sum: energy, linear and angular momentum are kept; viscosity (S40) takes energy only. Velocity Verlet.
+/// Sums run over the neighbours in ascending order, eight particles at a time.
 template <int dim>
 class HamiltonianBody : public particles::ParticleBody<dim> {
  public:

@@ -12,8 +12,8 @@ namespace cosurge::mps {
 /// Explicit MPS solid (Song et al. 2001; Chikazawa et al. 2001): neighbours and weights of the reference
 /// configuration, springs between particles against the frame of the pair's mean rotation, a pressure from
 /// the dilatation, and an own rotation of every particle (docs/method_solid.md, section 1). Linear and
-/// angular momentum are conserved, and the energy up to the ripple of the symplectic Euler integrator. Arrays
-/// go over the slots of a BodyGrid; sums run over the neighbours in ascending order.
+/// angular momentum are conserved, and without viscosity (S40) the energy up to the ripple of the symplectic
+/// Euler integrator. Arrays go over the slots of a BodyGrid; sums run over the neighbours in ascending order.
 template <int dim>
 class MpsBody : public particles::ParticleBody<dim> {
  public:
