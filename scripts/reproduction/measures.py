@@ -11,6 +11,7 @@ PRESSURE = DENSITY * GRAVITY * HEIGHT  # Pa, Cp = 1
 RATE = np.sqrt(GRAVITY / HEIGHT)  # 1/s, tau = 1
 SPEED = np.sqrt(GRAVITY * HEIGHT)  # m/s, Cv = 1
 CUT_OFF, ORDER = 70.0, 4  # Hz; Butterworth, forward and backward: no delay
+FILTERS = [(cut_off, order) for cut_off in (50, 70, 100) for order in (2, 4, 8)]  # whose peaks are compared
 STEP = 2e-5  # s, of the even series that the filter gets: the paper's window
 SECOND_PEAK = (4.5, 7.0)  # tau: the upward water falls back
 LATE = (7.0, 11.59)  # tau: after it
@@ -97,8 +98,13 @@ def numbers(history, summary):
     row |= tip_numbers(history)
     for name in ("P01", "P02"):
         row |= pressure_numbers(history, name)
+    times, raw = history.even("P01")
+    first = times * RATE < SECOND_PEAK[0]
+    for cut_off, order in FILTERS:
+        row[f"P01_peak_{cut_off}Hz_{order}"] = low_passed(raw, cut_off, order)[first].max()
     row |= {"created_over_work": history.created[-1] / np.abs(history.work).max() if history.work.any() else 0.0,
-            "windows": summary["windows"], "core_s": core_seconds(summary), "wall_s": summary["wall_seconds"]}
+            "windows": summary["windows"], "core_s": core_seconds(summary), "wall_s": summary["wall_seconds"],
+            "solid_core_s": summary["participants"]["solid"]["seconds"]["cpu"]}
     return row
 
 

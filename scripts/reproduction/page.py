@@ -21,19 +21,33 @@ LABELS = {"recommended": "recommended settings", "paper": "the paper's settings"
 
 
 class Numbers:
-    """Histories and numbers of the runs that are there, if only in part, by name; read once."""
+    """Numbers by the name of the run, and histories of those whose results are at hand, if only in part; read once.
 
-    def __init__(self, study):
+    Results may be deleted: what numbers.csv in `out` says of a run stays as long as its case and settings do.
+    """
+
+    def __init__(self, study, out):
         self.study = study
         self.rows = {}
         self.histories = {}
-        for run in (run for group in runs.GROUPS.values() for run in group()):
-            summary = study.begun(run)
-            if run.case != "dam_break_plate" or summary is None or summary.get("end_time", 0) < FIRST_BLOW:
+        kept = read_numbers(out / "numbers.csv")
+        verification_runs = {run.name for run in runs.verification()}
+        for run in {run.name: run for group in runs.GROUPS.values() for run in group()}.values():
+            old = kept.get(run.name)
+            if run.case != "dam_break_plate":
                 continue
-            history = measures.History(study.folder_of(run))
-            self.histories[run.name] = history
-            self.rows[run.name] = measures.numbers(history, summary)
+            summary = study.begun(run)
+            identity = run.identity()[:12]
+            same = old is not None and old["identity"] == identity
+            if summary and summary.get("end_time", 0) >= FIRST_BLOW and (study.finished(run) or not same):
+                folder = study.folder_of(run)
+                history = measures.History(folder)
+                self.histories[run.name] = history
+                self.rows[run.name] = {"identity": identity} | measures.numbers(history, summary)
+                if run.name in verification_runs:
+                    self.rows[run.name] |= open_points.normals(folder, history.case)
+            elif same:
+                self.rows[run.name] = old
 
     def family(self, settings, spacing):
         """Numbers by stiffness of one set of runs of Table 2."""
@@ -54,14 +68,24 @@ def band(limits):
     return number(limits[0]) if limits[0] == limits[1] else f"{number(limits[0])} to {number(limits[1])}"
 
 
+def read_numbers(path):
+    """Rows of numbers.csv by the name of the run; empty where there is none."""
+    if not path.exists():
+        return {}
+    with open(path, newline="") as file:
+        rows = csv.DictReader(line for line in file if not line.startswith("#"))
+        return {row.pop("run"): {key: value if key == "identity" else float(value or "nan")
+                                 for key, value in row.items()} for row in rows}
+
+
 def write_numbers(numbers, path):
     with open(path, "w", newline="") as file:
         file.write("# scripts/reproduce\n")
         columns = list(dict.fromkeys(key for row in numbers.rows.values() for key in row))
-        writer = csv.DictWriter(file, ["run", *columns], lineterminator="\n")
+        writer = csv.DictWriter(file, ["run", *columns], restval="nan", lineterminator="\n")
         writer.writeheader()
         for name, row in sorted(numbers.rows.items()):
-            short = {key: f"{value:.5g}" if isinstance(value, float) else value for key, value in row.items()}
+            short = {key: value if key == "identity" else f"{value:.5g}" for key, value in row.items()}
             writer.writerow({"run": name} | short)
 
 
@@ -131,12 +155,17 @@ def differences(rows):
     return table(["R of eq. (7)", "paper", "ours"], lines)
 
 
+BLOW = ("P01_peak", "P02_peak", "P01_raw_peak", "P01_impulse_first", "tip_peak_m")
+FALL = ("P01_second_peak", "P01_second_peak_tau", "P02_second_peak")
+SCATTER = {"recommended": ("recommended, 2 mm", BLOW), "recommended_1mm": ("recommended, 1 mm", BLOW),
+           "paper": ("the paper's, 2 mm", BLOW), "late": ("recommended, 2 mm", FALL),
+           "lid": ("recommended, 2 mm, a lid at 1.5 H", FALL)}
+
+
 def scatter(numbers):
     lines = []
-    families = {"recommended": "recommended, 2 mm", "recommended_1mm": "recommended, 1 mm",
-                "paper": "the paper's, 2 mm"}
-    for family, settings in families.items():
-        for key in ("P01_peak", "P02_peak", "P01_raw_peak", "P01_impulse_first", "tip_peak_m"):
+    for family, (settings, keys) in SCATTER.items():
+        for key in keys:
             cells = []
             for label in ("20MPa", "rigid"):
                 values = [row[key] for name, row in numbers.rows.items()
@@ -164,14 +193,12 @@ def costs(numbers):
                   "hours on two cores"], lines)
 
 
-def filters(history):
+def filters(row):
     """The peak at P01 by the filter that was taken."""
-    _, raw = history.even("P01")
-    lines = [["none", number(raw.max())]]
-    for cut_off in (50, 70, 100):
-        for order in (2, 4, 8):
-            smooth = measures.low_passed(raw, cut_off, order)
-            lines.append([f"{cut_off} Hz, order {order}, forward and backward", number(smooth.max())])
+    lines = [["none", number(row["P01_raw_peak"])]]
+    for cut_off, order in measures.FILTERS:
+        peak = row[f"P01_peak_{cut_off}Hz_{order}"]
+        lines.append([f"{cut_off} Hz, order {order}, forward and backward", number(peak)])
     return table(["filter", "peak of Cp"], lines)
 
 
@@ -199,71 +226,84 @@ def swapped(numbers, out):
     names = {model: f"chart_20MPa_{name}" for model, name in names.items() if f"chart_20MPa_{name}" in numbers.rows}
     if len(names) < 2:
         return ""
-    figure = figures.swapped({model: numbers.histories[name] for model, name in names.items()})
-    figure.savefig(out / "swapped.png", dpi=90)
-    figures.plt.close(figure)
     reference = numbers.rows[next(iter(names.values()))]["tip_peak_m"]
     lines = []
     for model, name in names.items():
         row = numbers.rows[name]
-        solid = numbers.study.begun(next(run for run in runs.chart() if run.name == name))["participants"]["solid"]
         lines.append([model, f"{1000 * row['tip_peak_m']:.2f}", number(row["tip_peak_s"], 4),
-                      f"{100 * (row['tip_peak_m'] / reference - 1):+.1f} %", number(solid["seconds"]["cpu"])])
+                      f"{100 * (row['tip_peak_m'] / reference - 1):+.1f} %", number(row["solid_core_s"])])
     header = ["model", "largest tip [mm]", "at [s]", f"off {next(iter(names))}", "core seconds of the solid"]
     return ("## Another structure by one word\n\n20 MPa, 2 mm, `--set solid.model=...`.\n\n" + table(header, lines) +
-            "\n![tips with each model](swapped.png)\n")
+            "\n" + Pictures(out, numbers.histories).draw("swapped", names, figures.swapped))
+
+
+class Pictures:
+    """PNGs in `out`. One whose runs are not all at hand stays as it is."""
+
+    def __init__(self, out, histories):
+        self.out = out
+        self.histories = histories
+
+    def draw(self, name, wanted, figure_of):
+        """Saves figure_of(histories by label) of the runs `wanted`, {label: name}; returns the line that shows it."""
+        here = {label: self.histories[run] for label, run in wanted.items() if run in self.histories}
+        path = self.out / f"{name}.png"
+        if here and (len(here) == len(wanted) or not path.exists()):
+            self.save(path, figure_of(here))
+        return f"![{name.replace('_', ' ')}]({name}.png)\n" if path.exists() else ""
+
+    @staticmethod
+    def save(path, figure):
+        figure.savefig(path, dpi=90)
+        figures.plt.close(figure)
 
 
 def draw(out, numbers, found):
     """Saves the figures that there are runs for; returns the lines of the page that show them."""
+    pictures = Pictures(out, numbers.histories)
     shown = {}
 
-    def put(name, figure):
-        figure.savefig(out / f"{name}.png", dpi=90)
-        figures.plt.close(figure)
-        shown[name] = f"![{name.replace('_', ' ')}]({name}.png)\n"
+    def put(name, wanted, figure_of):
+        known = {label: run for label, run in wanted.items() if run in numbers.rows}
+        shown[name] = pictures.draw(name, known, figure_of)
 
-    folder = numbers.study.folder
-    tips = {label: numbers.histories[name] for label, name in
-            (("the paper's settings, 1 mm", "verification_paper_1mm"),
-             ("recommended, 1 mm", "verification_recommended_1mm"),
-             ("recommended, 2 mm", "verification_recommended_2mm"))
-            if name in numbers.histories}
-    if tips:
-        put("tip", figures.fig3_tip(tips, CASE_FOLDER))
+    tips = {"the paper's settings, 1 mm": "verification_paper_1mm", "recommended, 1 mm": "verification_recommended_1mm",
+            "recommended, 2 mm": "verification_recommended_2mm"}
+    put("tip", tips, lambda histories: figures.fig3_tip(histories, CASE_FOLDER))
     for settings in ("paper", "recommended"):
-        if f"verification_{settings}_1mm" in numbers.rows:
-            put(f"snapshots_{settings}", figures.fig2_snapshots(folder / f"verification_{settings}_1mm"))
+        put(f"snapshots_{settings}", {settings: f"verification_{settings}_1mm"},
+            lambda histories: figures.fig2_snapshots(histories[settings].folder))
     if found:
-        put("convergence", figures.convergence(found))
+        pictures.save(out / "convergence.png", figures.convergence(found))
+        shown["convergence"] = "![convergence](convergence.png)\n"
     for settings, spacing in FAMILIES:
         rows = numbers.family(settings, spacing)
         if len(rows) < 2:
             continue
         tag = f"{settings}_{spacing}"
-        histories = {label: numbers.histories[f"stiffness_{settings}_{label}_{spacing}"] for label in rows}
+        names = {label: f"stiffness_{settings}_{label}_{spacing}" for label in rows}
         for label in ("20MPa", "rigid"):
-            if label in histories:
-                put(f"spectrum_{label}_{tag}", figures.fig4_spectrum(histories[label]))
-        for name in ("P01", "P02"):
-            put(f"{name}_{tag}", figures.fig6_filtered(histories, name))
-        put(f"impulses_{tag}", figures.fig8_impulses(rows))
-        put(f"tips_{tag}", figures.fig9_tips(histories, rows))
+            put(f"spectrum_{label}_{tag}", {label: f"stiffness_{settings}_{label}_{spacing}"},
+                lambda histories: figures.fig4_spectrum(histories[label]))
+        for probe in ("P01", "P02"):
+            put(f"{probe}_{tag}", names, lambda histories: figures.fig6_filtered(histories, probe))
+        put(f"impulses_{tag}", names, lambda histories: figures.fig8_impulses(rows))
+        put(f"tips_{tag}", names, lambda histories: figures.fig9_tips(histories, rows))
         if spacing == max(("1mm", "2mm"), key=lambda finest: len(numbers.family(settings, finest))):
-            put(f"speeds_{tag}", figures.fig10_speeds(
-                {label: folder / f"stiffness_{settings}_{label}_{spacing}" for label in rows}))
+            put(f"speeds_{tag}", names, lambda histories: figures.fig10_speeds(
+                {label: history.folder for label, history in histories.items()}))
     return shown
 
 
 def write(study, out):
-    numbers = Numbers(study)
+    numbers = Numbers(study, out)
     if not numbers.rows:
         sys.exit(f"no finished runs in {study.folder}")
     out.mkdir(parents=True, exist_ok=True)
     write_numbers(numbers, out / "numbers.csv")
     found = by_spacing(numbers)
     shown = draw(out, numbers, found)
-    take = lambda *names: "\n".join(shown[name] for name in names if name in shown)
+    take = lambda *names: "\n".join(shown[name] for name in names if shown.get(name))
     parts = ["# The published study, reproduced\n",
              "Written by `scripts/reproduce`; all numbers in [numbers.csv](numbers.csv), what they say in "
              "[findings.md](findings.md). Filter: Butterworth of 4th order, 70 Hz, forward and backward (no delay). "
@@ -281,10 +321,10 @@ def write(study, out):
                                                       "tips", "speeds")))]
         if "20MPa" in rows:
             parts += ["The peak at P01 at 20 MPa by the filter:\n",
-                      filters(numbers.histories[f"stiffness_{settings}_20MPa_{spacing}"])]
+                      filters(rows["20MPa"])]
     parts += ["## Cost\n", "To two seconds each; every run's own time is in numbers.csv.\n", costs(numbers),
               "## Scatter of the peaks\n",
               "Starts that differ by ten-thousandths of gravity, sideways: mean and standard deviation.\n",
-              scatter(numbers), open_points.write(study), swapped(numbers, out), finite_width(study, out),
+              scatter(numbers), open_points.write(study, numbers.rows), swapped(numbers, out), finite_width(study, out),
               chart.write(numbers, out)]
     (out / "README.md").write_text("\n".join(part for part in parts if part))

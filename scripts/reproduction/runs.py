@@ -57,6 +57,9 @@ def stiffness_paper(spacing=0.001, end=2):
         yield dam_break(f"stiffness_paper_{name}_{1000 * spacing:g}mm", paper_plate(modulus), spacing, end)
 
 
+LATE_END = 1.25  # s: past the second peak
+
+
 def starts(family, name, settings, number, spacing, end):
     """The same scene from starts that differ by nothing: ten-thousandths of gravity, sideways."""
     for k in range(number):
@@ -68,7 +71,10 @@ def scatter():
     for name in ("20MPa", "rigid"):
         yield from starts("recommended", name, plate(STIFFNESS[name]), 6, 0.002, 0.4)
         yield from starts("recommended_1mm", name, plate(STIFFNESS[name]), 5, 0.001, 0.3)
-        yield from starts("paper", name, paper_plate(STIFFNESS[name]), 6, 0.002, 0.4)
+        yield from starts("paper", name, paper_plate(STIFFNESS[name]), 6, 0.002, 0.3)
+    # The second peak, when what has gone up the far wall falls back; and what a lid on the tank does to it.
+    yield from starts("late", "rigid", plate(None), 6, 0.002, LATE_END)
+    yield from starts("lid", "rigid", plate(None) | {"fluid.tank.max": "[0.584, 0.438]"}, 6, 0.002, LATE_END)
 
 
 def finite_width():
