@@ -29,7 +29,8 @@ class History:
             self.time = history["time"][:]
             rows = len(self.time)
             read = lambda name: history[name][:rows] if name in history else None
-            self.pressure = {name: np.nan_to_num(read(f"fluid/{name}")) for name in ("P01", "P02")}
+            self.pressure = {name: np.nan_to_num(read(f"fluid/{name}")) for name in ("P01", "P02")
+                             if f"fluid/{name}" in history}
             self.tip = read("solid/tip_x")
             self.front = read("fluid/front")
             self.created = read("coupling/work_created")
@@ -102,10 +103,14 @@ def numbers(history, summary):
     first = times * RATE < SECOND_PEAK[0]
     for cut_off, order in FILTERS:
         row[f"P01_peak_{cut_off}Hz_{order}"] = low_passed(raw, cut_off, order)[first].max()
-    row |= {"created_over_work": history.created[-1] / np.abs(history.work).max() if history.work.any() else 0.0,
-            "windows": summary["windows"], "core_s": core_seconds(summary), "wall_s": summary["wall_seconds"],
-            "solid_core_s": summary["participants"]["solid"]["seconds"]["cpu"]}
-    return row
+    work = np.abs(history.work).max() if history.work.any() else np.inf
+    return row | {"created_over_work": history.created[-1] / work} | cost(summary)
+
+
+def cost(summary):
+    fluid, solid = (summary["participants"][name] for name in ("fluid", "solid"))
+    return {"windows": summary["windows"], "core_s": core_seconds(summary), "wall_s": summary["wall_seconds"],
+            "solid_core_s": solid["seconds"]["cpu"], "particles": fluid["particles"]}
 
 
 def relative_difference(values):

@@ -1,5 +1,4 @@
 """docs/reproduction: every number beside the paper's, the pictures, and what each run cost."""
-import csv
 import math
 import sys
 
@@ -10,49 +9,14 @@ import figures
 import measures
 import open_points
 import paper
+import record
 import runs
 from plots import recorded, snapshots
-from study import ROOT, core_seconds
+from study import ROOT
 
 CASE_FOLDER = ROOT / "cases/dam_break_plate"
 FAMILIES = [("recommended", "1mm"), ("recommended", "2mm"), ("paper", "1mm"), ("paper", "2mm")]
-FIRST_BLOW = 0.3  # s: what a run must have gone through to count
 LABELS = {"recommended": "recommended settings", "paper": "the paper's settings"}
-
-
-class Numbers:
-    """Numbers by the name of the run, and histories of those whose results are at hand, if only in part; read once.
-
-    Results may be deleted: what numbers.csv in `out` says of a run stays as long as its case and settings do.
-    """
-
-    def __init__(self, study, out):
-        self.study = study
-        self.rows = {}
-        self.histories = {}
-        kept = read_numbers(out / "numbers.csv")
-        verification_runs = {run.name for run in runs.verification()}
-        for run in {run.name: run for group in runs.GROUPS.values() for run in group()}.values():
-            old = kept.get(run.name)
-            if run.case != "dam_break_plate":
-                continue
-            summary = study.begun(run)
-            identity = run.identity()[:12]
-            same = old is not None and old["identity"] == identity
-            if summary and summary.get("end_time", 0) >= FIRST_BLOW and (study.finished(run) or not same):
-                folder = study.folder_of(run)
-                history = measures.History(folder)
-                self.histories[run.name] = history
-                self.rows[run.name] = {"identity": identity} | measures.numbers(history, summary)
-                if run.name in verification_runs:
-                    self.rows[run.name] |= open_points.normals(folder, history.case)
-            elif same:
-                self.rows[run.name] = old
-
-    def family(self, settings, spacing):
-        """Numbers by stiffness of one set of runs of Table 2."""
-        names = {label: f"stiffness_{settings}_{label}_{spacing}" for label in runs.STIFFNESS}
-        return {label: self.rows[name] for label, name in names.items() if name in self.rows}
 
 
 def table(header, rows):
@@ -66,27 +30,6 @@ def number(value, digits=3):
 
 def band(limits):
     return number(limits[0]) if limits[0] == limits[1] else f"{number(limits[0])} to {number(limits[1])}"
-
-
-def read_numbers(path):
-    """Rows of numbers.csv by the name of the run; empty where there is none."""
-    if not path.exists():
-        return {}
-    with open(path, newline="") as file:
-        rows = csv.DictReader(line for line in file if not line.startswith("#"))
-        return {row.pop("run"): {key: value if key == "identity" else float(value or "nan")
-                                 for key, value in row.items()} for row in rows}
-
-
-def write_numbers(numbers, path):
-    with open(path, "w", newline="") as file:
-        file.write("# scripts/reproduce\n")
-        columns = list(dict.fromkeys(key for row in numbers.rows.values() for key in row))
-        writer = csv.DictWriter(file, ["run", *columns], restval="nan", lineterminator="\n")
-        writer.writeheader()
-        for name, row in sorted(numbers.rows.items()):
-            short = {key: value if key == "identity" else f"{value:.5g}" for key, value in row.items()}
-            writer.writerow({"run": name} | short)
 
 
 def verification(numbers):
@@ -202,25 +145,20 @@ def filters(row):
     return table(["filter", "peak of Cp"], lines)
 
 
-def finite_width(study, out):
+def finite_width(numbers, pictures):
     """Part of the page: the scene in three dimensions."""
-    run = next(runs.finite_width())
-    if not study.finished(run):
+    name = next(runs.finite_width()).name
+    if name not in numbers.rows:
         return ""
-    results = recorded.read_run(study.folder_of(run))
-    figure = snapshots.snapshots(results)
-    figure.savefig(out / "finite_width.png", dpi=80)
-    figures.plt.close(figure)
-    tip = results.history["solid/tip_x"]
-    summary = study.summary(run)
+    row = numbers.rows[name]
     return ("## Three dimensions: a plate of finite width\n\n"
-            f"`cases/dam_break_plate_3d`, 8 mm, {summary['participants']['fluid']['particles']} particles of water and "
-            f"walls: the middle slice. The tip goes to {1000 * tip.max():.1f} mm at "
-            f"{results.time[tip.argmax()]:.3f} s; {core_seconds(summary):.0f} core seconds.\n\n"
-            "![finite width](finite_width.png)\n")
+            f"`cases/dam_break_plate_3d`, 8 mm, {row['particles']:.0f} particles of water and walls: the middle slice. "
+            f"The tip goes to {1000 * row['tip_peak_m']:.1f} mm at {row['tip_peak_s']:.3f} s; {row['core_s']:.0f} core "
+            "seconds.\n\n" + pictures.draw(name, {name: name}, lambda histories: snapshots.snapshots(
+                recorded.read_run(histories[name].folder))))
 
 
-def swapped(numbers, out):
+def swapped(numbers, pictures):
     """Part of the page: the same scene with each model of the structure, by one word."""
     names = {"fem": "recommended_2mm", "modal": "modal", "hamiltonian": "hamiltonian", "mps": "mps"}
     names = {model: f"chart_20MPa_{name}" for model, name in names.items() if f"chart_20MPa_{name}" in numbers.rows}
@@ -234,7 +172,7 @@ def swapped(numbers, out):
                       f"{100 * (row['tip_peak_m'] / reference - 1):+.1f} %", number(row["solid_core_s"])])
     header = ["model", "largest tip [mm]", "at [s]", f"off {next(iter(names))}", "core seconds of the solid"]
     return ("## Another structure by one word\n\n20 MPa, 2 mm, `--set solid.model=...`.\n\n" + table(header, lines) +
-            "\n" + Pictures(out, numbers.histories).draw("swapped", names, figures.swapped))
+            "\n" + pictures.draw("swapped", names, figures.swapped))
 
 
 class Pictures:
@@ -258,9 +196,8 @@ class Pictures:
         figures.plt.close(figure)
 
 
-def draw(out, numbers, found):
+def draw(pictures, numbers, found):
     """Saves the figures that there are runs for; returns the lines of the page that show them."""
-    pictures = Pictures(out, numbers.histories)
     shown = {}
 
     def put(name, wanted, figure_of):
@@ -269,12 +206,14 @@ def draw(out, numbers, found):
 
     tips = {"the paper's settings, 1 mm": "verification_paper_1mm", "recommended, 1 mm": "verification_recommended_1mm",
             "recommended, 2 mm": "verification_recommended_2mm"}
-    put("tip", tips, lambda histories: figures.fig3_tip(histories, CASE_FOLDER))
+    soft = {f"public code's gamma and alpha, {size} mm": f"verification_public_code_{size}mm" for size in (1, 2)}
+    for name, wanted in (("tip", tips), ("tip_public_code", soft)):
+        put(name, wanted, lambda histories: figures.fig3_tip(histories, CASE_FOLDER))
     for settings in ("paper", "recommended"):
         put(f"snapshots_{settings}", {settings: f"verification_{settings}_1mm"},
             lambda histories: figures.fig2_snapshots(histories[settings].folder))
     if found:
-        pictures.save(out / "convergence.png", figures.convergence(found))
+        pictures.save(pictures.out / "convergence.png", figures.convergence(found))
         shown["convergence"] = "![convergence](convergence.png)\n"
     for settings, spacing in FAMILIES:
         rows = numbers.family(settings, spacing)
@@ -296,21 +235,22 @@ def draw(out, numbers, found):
 
 
 def write(study, out):
-    numbers = Numbers(study, out)
+    numbers = record.Numbers(study, out)
     if not numbers.rows:
         sys.exit(f"no finished runs in {study.folder}")
     out.mkdir(parents=True, exist_ok=True)
-    write_numbers(numbers, out / "numbers.csv")
+    record.write(numbers, out / "numbers.csv")
     found = by_spacing(numbers)
-    shown = draw(out, numbers, found)
+    pictures = Pictures(out, numbers.histories)
+    shown = draw(pictures, numbers, found)
     take = lambda *names: "\n".join(shown[name] for name in names if shown.get(name))
     parts = ["# The published study, reproduced\n",
              "Written by `scripts/reproduce`; all numbers in [numbers.csv](numbers.csv), what they say in "
              "[findings.md](findings.md). Filter: Butterworth of 4th order, 70 Hz, forward and backward (no delay). "
              "In brackets: how far from the paper's number or range.\n",
              "## Verification case (Table 1, Figs. 2 and 3)\n", verification(numbers),
-             take("tip", "snapshots_paper", "snapshots_recommended"), "## Convergence of the first peak\n",
-             convergence(found), take("convergence")]
+             take("tip", "tip_public_code", "snapshots_paper", "snapshots_recommended"),
+             "## Convergence of the first peak\n", convergence(found), take("convergence")]
     for settings, spacing in FAMILIES:
         rows = numbers.family(settings, spacing)
         if len(rows) < 2:
@@ -325,6 +265,6 @@ def write(study, out):
     parts += ["## Cost\n", "To two seconds each; every run's own time is in numbers.csv.\n", costs(numbers),
               "## Scatter of the peaks\n",
               "Starts that differ by ten-thousandths of gravity, sideways: mean and standard deviation.\n",
-              scatter(numbers), open_points.write(study, numbers.rows), swapped(numbers, out), finite_width(study, out),
-              chart.write(numbers, out)]
+              scatter(numbers), open_points.write(numbers.rows), swapped(numbers, pictures),
+              finite_width(numbers, pictures), chart.write(numbers, out)]
     (out / "README.md").write_text("\n".join(part for part in parts if part))

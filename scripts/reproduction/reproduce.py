@@ -2,14 +2,29 @@
 """Runs and reports; see scripts/reproduce."""
 import argparse
 import os
+import shutil
 import signal
 import sys
+import tempfile
 from pathlib import Path
 
 import guard
 import page
 import runs
 from study import ROOT, Study
+
+
+def page_is_current(out):
+    """Whether the page says what its numbers, and the scripts, say; names the files that do not."""
+    with tempfile.TemporaryDirectory() as folder:
+        fresh = Path(folder) / "page"
+        shutil.copytree(out, fresh)
+        page.write(Study(folder), fresh)  # no runs
+        stale = [name for name in ("README.md", "numbers.csv", "chart.csv")
+                 if (fresh / name).read_text() != (out / name).read_text()]
+    for name in stale:
+        print(f"{out / name}: not as scripts/reproduce --page writes it")
+    return not stale
 
 
 def main():
@@ -22,7 +37,10 @@ def main():
     parser.add_argument("--runs", type=Path, default=ROOT / "build/reproduction", help="where the runs lie")
     parser.add_argument("--out", type=Path, default=ROOT / "docs/reproduction", help="where the page goes")
     parser.add_argument("--guard", action="store_true", help="run the reduced study alone, and check its numbers")
+    parser.add_argument("--check", action="store_true", help="whether the page is as its numbers make it")
     options = parser.parse_args()
+    if options.check:
+        sys.exit(not page_is_current(options.out))
     study = Study(options.runs, options.jobs)
     if options.guard:
         study.execute(list(runs.reduced()))

@@ -146,6 +146,7 @@ def open_points():
     yield dam_break("open_stiffer_20MPa", plate(STIFFER * 2e7), 0.002, 0.4)
     # Or the soft water of the public code?
     yield dam_break("open_public_code_20MPa", paper_plate(2e7) | PUBLIC_CODE, 0.002, 0.4)
+    yield dam_break("open_public_code_20MPa_1mm", paper_plate(2e7) | PUBLIC_CODE, 0.001, 0.3)
 
 
 GROUPS = {
