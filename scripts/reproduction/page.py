@@ -16,7 +16,8 @@ from study import ROOT
 
 CASE_FOLDER = ROOT / "cases/dam_break_plate"
 FAMILIES = [("recommended", "1mm"), ("recommended", "2mm"), ("paper", "1mm"), ("paper", "2mm")]
-LABELS = {"recommended": "recommended settings", "paper": "the paper's settings"}
+LABELS = {"recommended": "recommended settings", "paper": "the paper's settings",
+          "public_code": "public code's gamma and alpha"}
 
 
 def table(header, rows):
@@ -52,7 +53,7 @@ def verification(numbers):
 
 def by_spacing(numbers):
     found = {}
-    for settings in ("recommended", "paper"):
+    for settings in LABELS:
         row = {}
         for size in (4, 2, 1, 0.5):
             for name in (f"verification_{settings}_{size:g}mm", f"chart_1MPa_{settings}_{size:g}mm"):
