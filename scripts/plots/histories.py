@@ -3,11 +3,9 @@ import csv
 import re
 
 import numpy as np
-from scipy.signal import butter, sosfiltfilt
 
+from plots.low_pass import CUT_OFF, low_passed
 from plots.style import plt
-
-CUT_OFF = 70.0  # Hz, of the low-pass for impact pressures: the published study's
 
 
 def reference_curves(case_folder, columns):
@@ -67,13 +65,6 @@ def evenly(run, values):
     step = np.median(np.diff(run.time))
     times = np.arange(run.time[0], run.time[-1], step)
     return times, np.interp(times, run.time, values), 1 / step
-
-
-def low_passed(values, rate):
-    """4th-order Butterworth, forward and backward: no delay. None where the series is too short or too coarse."""
-    if rate <= 2.5 * CUT_OFF or len(values) < rate / CUT_OFF:
-        return None
-    return sosfiltfilt(butter(4, CUT_OFF, fs=rate, output="sos"), values)
 
 
 def pressure(run):

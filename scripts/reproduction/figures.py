@@ -5,6 +5,7 @@ import numpy as np
 import measures
 from plots import recorded, snapshots
 from plots.histories import reference_curves
+from plots.low_pass import CUT_OFF, low_passed
 from plots.style import plt
 from runs import STIFFNESS
 
@@ -65,12 +66,12 @@ def fig4_spectrum(history, name="P01"):
     times, raw = history.even(name)
     figure, (left, right) = plt.subplots(1, 2, layout="constrained", figsize=(11, 3.8), width_ratios=(2, 1))
     left.plot(times * measures.RATE, raw, color="#9ec5e8", lw=0.5, label="raw")
-    left.plot(times * measures.RATE, measures.low_passed(raw), color="#123f6d", lw=1.3, label="below 70 Hz")
+    left.plot(times * measures.RATE, low_passed(raw, 1 / measures.STEP), color="#123f6d", lw=1.3, label="below 70 Hz")
     left.set(xlabel="tau", ylabel="Cp", ylim=(-0.2, 3))
     left.legend()
     amplitude = 2 * np.abs(np.fft.rfft(raw)) / len(raw)
     right.plot(np.fft.rfftfreq(len(raw), measures.STEP), amplitude, color="#123f6d", lw=0.8)
-    right.axvline(measures.CUT_OFF, color="0.5", ls=":")
+    right.axvline(CUT_OFF, color="0.5", ls=":")
     right.set(xlabel="f [Hz]", ylabel="amplitude of Cp", xlim=(0, 200))
     return figure
 
@@ -81,9 +82,9 @@ def fig6_filtered(histories, name):
     for axes, (label, history) in zip(grid.flat, histories.items()):
         if "rigid" in histories and label != "rigid":
             times, raw = histories["rigid"].even(name)
-            axes.plot(times * measures.RATE, measures.low_passed(raw), color="0.75", lw=0.9, label="rigid")
+            axes.plot(times * measures.RATE, low_passed(raw, 1 / measures.STEP), color="0.75", lw=0.9, label="rigid")
         times, raw = history.even(name)
-        axes.plot(times * measures.RATE, measures.low_passed(raw), color=COLORS[label], lw=1.2, label=label)
+        axes.plot(times * measures.RATE, low_passed(raw, 1 / measures.STEP), color=COLORS[label], lw=1.2, label=label)
         axes.legend(fontsize=8)
     for axes in grid[-1]:
         axes.set_xlabel("tau")

@@ -3,14 +3,13 @@ import json
 
 import h5py
 import numpy as np
-from scipy.signal import butter, sosfiltfilt
+from plots.low_pass import low_passed
 from study import core_seconds
 
 GRAVITY, DENSITY, HEIGHT, THICKNESS = 9.81, 1000.0, 0.292, 0.012
 PRESSURE = DENSITY * GRAVITY * HEIGHT  # Pa, Cp = 1
 RATE = np.sqrt(GRAVITY / HEIGHT)  # 1/s, tau = 1
 SPEED = np.sqrt(GRAVITY * HEIGHT)  # m/s, Cv = 1
-CUT_OFF, ORDER = 70.0, 4  # Hz; Butterworth, forward and backward: no delay
 FILTERS = [(cut_off, order) for cut_off in (50, 70, 100) for order in (2, 4, 8)]  # whose peaks are compared
 STEP = 2e-5  # s, of the even series that the filter gets: the paper's window
 SECOND_PEAK = (4.5, 7.0)  # tau: the upward water falls back
@@ -48,10 +47,6 @@ class History:
         return times, np.interp(times, self.time, self.pressure[name]) / PRESSURE
 
 
-def low_passed(values, cut_off=CUT_OFF, order=ORDER):
-    return sosfiltfilt(butter(order, cut_off, fs=1 / STEP, output="sos"), values)
-
-
 def between(tau, values, limits):
     chosen = values[(tau >= limits[0]) & (tau <= limits[1])]
     return chosen if len(chosen) else np.array([np.nan])
@@ -60,7 +55,7 @@ def between(tau, values, limits):
 def pressure_numbers(history, name):
     """Peaks, late mean and impulse of one probe; NaN for what lies beyond the end of the run."""
     times, raw = history.even(name)
-    tau, smooth = times * RATE, low_passed(raw)
+    tau, smooth = times * RATE, low_passed(raw, 1 / STEP)
     first = tau < SECOND_PEAK[0]
     second = (tau >= SECOND_PEAK[0]) & (tau <= SECOND_PEAK[1])
     fallen = tau[-1] > SECOND_PEAK[1]
@@ -102,7 +97,7 @@ def numbers(history, summary):
     times, raw = history.even("P01")
     first = times * RATE < SECOND_PEAK[0]
     for cut_off, order in FILTERS:
-        row[f"P01_peak_{cut_off}Hz_{order}"] = low_passed(raw, cut_off, order)[first].max()
+        row[f"P01_peak_{cut_off}Hz_{order}"] = low_passed(raw, 1 / STEP, cut_off, order)[first].max()
     work = np.abs(history.work).max() if history.work.any() else np.inf
     return row | {"created_over_work": history.created[-1] / work} | cost(summary)
 
