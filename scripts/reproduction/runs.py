@@ -75,7 +75,7 @@ def scatter():
         yield from starts("paper", name, paper_plate(STIFFNESS[name]), 5, 0.002, 0.3)
     # The second peak, when what has gone up the far wall falls back; and what a lid on the tank does to it.
     yield from starts("late", "rigid", plate(None), 5, 0.002, LATE_END)
-    yield from starts("lid", "rigid", plate(None) | LID, 5, 0.002, LATE_END)
+    yield from starts("lid", "rigid", plate(None) | LID, 3, 0.002, LATE_END)
 
 
 def finite_width():
