@@ -97,7 +97,8 @@ def fig8_impulses(numbers):
     """Pressure impulse over Young's modulus, the rigid plate as a line."""
     figure, grid = plt.subplots(1, 2, layout="constrained", figsize=(10, 3.6))
     for axes, name in zip(grid, ("P01", "P02")):
-        elastic = [(STIFFNESS[label], row[f"{name}_impulse"]) for label, row in numbers.items() if STIFFNESS[label]]
+        elastic = [(STIFFNESS[label], row[f"{name}_impulse"]) for label, row in numbers.items()
+                   if STIFFNESS[label] and not np.isnan(row[f"{name}_impulse"])]
         if elastic:
             axes.semilogx(*zip(*elastic), "ko-", mfc="none", label="elastic")
         if "rigid" in numbers:

@@ -93,10 +93,11 @@ def stiffness(rows):
 def differences(rows):
     lines = []
     for key, what, theirs in paper.DIFFERENCES:
-        values = [row[key] for row in rows.values()]
-        if not any(map(math.isnan, values)):
-            lines.append([what, f"{100 * theirs:.2f} %", f"{100 * measures.relative_difference(values):.1f} %"])
-    return table(["R of eq. (7)", "paper", "ours"], lines)
+        values = [row[key] for row in rows.values() if not math.isnan(row[key])]
+        if len(values) > 1:
+            ours = f"{100 * measures.relative_difference(values):.1f} %"
+            lines.append([what, f"{100 * theirs:.2f} %", ours, f"{len(values)} of {len(runs.STIFFNESS)}"])
+    return table(["R of eq. (7)", "paper", "ours", "plates"], lines)
 
 
 BLOW = ("P01_peak", "P02_peak", "P01_raw_peak", "P01_impulse_first", "tip_peak_m")
@@ -177,7 +178,7 @@ def swapped(numbers, pictures):
 
 
 class Pictures:
-    """PNGs in `out`. One whose runs are not all at hand stays as it is."""
+    """PNGs in `out`. One that needs histories of runs that are not all at hand stays as it is."""
 
     def __init__(self, out, histories):
         self.out = out
@@ -188,13 +189,17 @@ class Pictures:
         here = {label: self.histories[run] for label, run in wanted.items() if run in self.histories}
         path = self.out / f"{name}.png"
         if here and (len(here) == len(wanted) or not path.exists()):
-            self.save(path, figure_of(here))
-        return f"![{name.replace('_', ' ')}]({name}.png)\n" if path.exists() else ""
+            self.save(name, figure_of(here))
+        return self.line(name) if path.exists() else ""
+
+    def save(self, name, figure):
+        figure.savefig(self.out / f"{name}.png", dpi=90)
+        figures.plt.close(figure)
+        return self.line(name)
 
     @staticmethod
-    def save(path, figure):
-        figure.savefig(path, dpi=90)
-        figures.plt.close(figure)
+    def line(name):
+        return f"![{name.replace('_', ' ')}]({name}.png)\n"
 
 
 def draw(pictures, numbers, found):
@@ -214,8 +219,7 @@ def draw(pictures, numbers, found):
         put(f"snapshots_{settings}", {settings: f"verification_{settings}_1mm"},
             lambda histories: figures.fig2_snapshots(histories[settings].folder))
     if found:
-        pictures.save(pictures.out / "convergence.png", figures.convergence(found))
-        shown["convergence"] = "![convergence](convergence.png)\n"
+        shown["convergence"] = pictures.save("convergence", figures.convergence(found))
     for settings, spacing in FAMILIES:
         rows = numbers.family(settings, spacing)
         if len(rows) < 2:
@@ -227,7 +231,7 @@ def draw(pictures, numbers, found):
                 lambda histories: figures.fig4_spectrum(histories[label]))
         for probe in ("P01", "P02"):
             put(f"{probe}_{tag}", names, lambda histories: figures.fig6_filtered(histories, probe))
-        put(f"impulses_{tag}", names, lambda histories: figures.fig8_impulses(rows))
+        shown[f"impulses_{tag}"] = pictures.save(f"impulses_{tag}", figures.fig8_impulses(rows))
         put(f"tips_{tag}", names, lambda histories: figures.fig9_tips(histories, rows))
         if spacing == max(("1mm", "2mm"), key=lambda finest: len(numbers.family(settings, finest))):
             put(f"speeds_{tag}", names, lambda histories: figures.fig10_speeds(
