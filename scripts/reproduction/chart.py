@@ -36,7 +36,9 @@ def points(numbers, scene):
         errors = {key: abs(row[key] / numbers.rows[truth][key] - 1) for key in MEASURES if key != "tip_rms"}
         errors["tip_rms"] = tip_rms(numbers.histories[name], numbers.histories[truth])
         setting = name.removeprefix(f"chart_{scene}_")
-        rows.append({"scene": scene, "setting": setting, "core_s": row["core_s"], **errors})
+        numbers_of = {"core_s": row["core_s"], **errors}
+        rows.append({"scene": scene, "setting": setting,
+                     **{key: float(f"{value:.4g}") for key, value in numbers_of.items()}})
     return truth, sorted(rows, key=lambda row: row["core_s"])
 
 

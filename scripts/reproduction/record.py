@@ -31,7 +31,8 @@ class Numbers:
                 row = {"identity": identity, "status": summary["status"]}
                 if run.case != "cantilever":  # there its end is all that is asked
                     self.histories[run.name] = measures.History(study.folder_of(run))
-                    row |= numbers_of(run, self.histories[run.name], summary)
+                    found = numbers_of(run, self.histories[run.name], summary)
+                    row |= {key: float(in_short(value)) for key, value in found.items()}  # as it will be read again
                     if old and old["windows"] == row["windows"]:  # the same work again: other programs only add to it
                         row |= {cost: np.fmin(row[cost], old[cost]) for cost in ("core_s", "solid_core_s", "wall_s")}
                 self.rows[run.name] = row
@@ -62,6 +63,10 @@ def numbers_of(run, history, summary):
     return row
 
 
+def in_short(value):
+    return f"{value:.5g}"
+
+
 def read(path):
     """Rows of numbers.csv by the name of the run; empty where there is none."""
     if not path.exists():
@@ -79,5 +84,5 @@ def write(numbers, path):
         writer = csv.DictWriter(file, ["run", *columns], lineterminator="\n")
         writer.writeheader()
         for name, row in sorted(numbers.rows.items()):
-            texts = {key: value if key in TEXTS else f"{value:.5g}" for key, value in row.items()}
+            texts = {key: value if key in TEXTS else in_short(value) for key, value in row.items()}
             writer.writerow({"run": name} | {key: text for key, text in texts.items() if text != "nan"})
