@@ -1,12 +1,12 @@
 """The speed-accuracy chart: error against core seconds, one point a setting."""
-import csv
-
 import numpy as np
 from matplotlib.ticker import LogLocator, PercentFormatter
 
 import runs
+import tables
 from figures import plt
 
+TEXTS, DIGITS = ("scene", "setting"), 4  # of chart.csv
 MEASURES = {"tip_peak_m": "tip, largest", "tip_rms": "tip, history", "P01_peak": "P01, filtered peak",
             "P02_peak": "P02, filtered peak", "P01_impulse_first": "P01, impulse of the blow"}
 
@@ -36,9 +36,7 @@ def points(numbers, scene):
         errors = {key: abs(row[key] / numbers.rows[truth][key] - 1) for key in MEASURES if key != "tip_rms"}
         errors["tip_rms"] = tip_rms(numbers.histories[name], numbers.histories[truth])
         setting = name.removeprefix(f"chart_{scene}_")
-        numbers_of = {"core_s": row["core_s"], **errors}
-        rows.append({"scene": scene, "setting": setting,
-                     **{key: float(f"{value:.4g}") for key, value in numbers_of.items()}})
+        rows.append({"scene": scene, "setting": setting, **tables.rounded({"core_s": row["core_s"]} | errors, DIGITS)})
     return truth, sorted(rows, key=lambda row: row["core_s"])
 
 
@@ -100,20 +98,12 @@ def fronts(rows):
     return "\n".join(lines) + "\n"
 
 
-def read(path):
-    """Rows of chart.csv by scene; those of a scene stay where not all of its runs are at hand."""
-    found = {scene: [] for scene in runs.SCENES}
-    if path.exists():
-        with open(path, newline="") as file:
-            for row in csv.DictReader(line for line in file if not line.startswith("#")):
-                found[row["scene"]].append({key: value if key in ("scene", "setting") else float(value)
-                                            for key, value in row.items()})
-    return found
-
-
 def write(numbers, out):
-    """Draws the chart and writes chart.csv; returns the part of the page."""
-    kept = read(out / "chart.csv")
+    """Draws the chart and writes chart.csv; returns the part of the page.
+
+    A scene stays as it is where not all of its runs are at hand.
+    """
+    kept = tables.read(out / "chart.csv", TEXTS)
     parts, all_rows = [], []
     for scene in runs.SCENES:
         wanted = [name for name in numbers.rows if name.startswith(f"chart_{scene}_")]
@@ -123,7 +113,7 @@ def write(numbers, out):
             figure.savefig(out / f"chart_{scene}.png", dpi=90)
             plt.close(figure)
         else:
-            rows = kept[scene]
+            rows = [row for row in kept if row["scene"] == scene]
         if len(rows) < 3:
             continue
         all_rows += rows
@@ -131,10 +121,5 @@ def write(numbers, out):
                   f"{scene}: what nothing cheaper is nearer than, core seconds and error\n", fronts(rows)]
     if not parts:
         return ""
-    with open(out / "chart.csv", "w", newline="") as file:
-        file.write("# scripts/reproduce chart scatter verification\n")
-        writer = csv.DictWriter(file, list(all_rows[0]), lineterminator="\n")
-        writer.writeheader()
-        for row in all_rows:
-            writer.writerow({key: f"{value:.4g}" if isinstance(value, float) else value for key, value in row.items()})
+    tables.write(out / "chart.csv", "scripts/reproduce chart scatter verification", all_rows, TEXTS, DIGITS)
     return "\n".join(["## Speed against accuracy\n", *parts])

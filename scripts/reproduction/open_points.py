@@ -4,9 +4,10 @@ import math
 import h5py
 import numpy as np
 
+import measures
 import runs
 
-LENGTH, THICKNESS, FACE = 0.080, 0.012, 0.292  # m: of the plate, and its wet face
+LENGTH = 0.080  # m: of the plate
 
 
 def substeps(rows):
@@ -53,7 +54,7 @@ def write(rows):
     if runs.substep_name(2e10, 1e-6) in rows:
         parts += ["Which sub-step went with which stiffness: a plate of `mps` on 1 mm, 4000 sub-steps.\n",
                   substeps(rows)]
-    tips = {name: 1000 * THICKNESS * rows[f"open_{name}"]["tip_over_thickness"]
+    tips = {name: 1000 * measures.THICKNESS * rows[f"open_{name}"]["tip_over_thickness"]
             for name in ("area", "volume") if f"open_{name}" in rows}
     if len(tips) == 2:
         parts.append(f"Equation (1) with l0^(d-1), an area, bends the tip by {tips['area']:.1f} mm (1 MPa, 4 mm); with "

@@ -1,14 +1,13 @@
 """numbers.csv: what the runs have shown, by the name of the run; it outlives their results."""
-import csv
-
 import numpy as np
 
 import measures
 import open_points
 import runs
+import tables
 
 FIRST_BLOW = 0.3  # s: what a dam break must have gone through to count
-TEXTS = ("run", "identity", "status")
+TEXTS, DIGITS = ("run", "identity", "status"), 5
 
 
 class Numbers:
@@ -21,7 +20,7 @@ class Numbers:
         self.rows = {}
         self.histories = {}
         kept = read(out / "numbers.csv")
-        for run in {run.name: run for group in runs.GROUPS.values() for run in group()}.values():
+        for run in runs.of(runs.GROUPS):
             identity = run.identity()[:12]
             old = kept.get(run.name)
             if old and old["identity"] != identity:
@@ -32,7 +31,7 @@ class Numbers:
                 if run.case != "cantilever":  # there its end is all that is asked
                     self.histories[run.name] = measures.History(study.folder_of(run))
                     found = numbers_of(run, self.histories[run.name], summary)
-                    row |= {key: float(in_short(value)) for key, value in found.items()}  # as it will be read again
+                    row |= tables.rounded(found, DIGITS)
                     if old and old["windows"] == row["windows"]:  # the same work again: other programs only add to it
                         row |= {cost: np.fmin(row[cost], old[cost]) for cost in ("core_s", "solid_core_s", "wall_s")}
                 self.rows[run.name] = row
@@ -63,26 +62,11 @@ def numbers_of(run, history, summary):
     return row
 
 
-def in_short(value):
-    return f"{value:.5g}"
-
-
 def read(path):
-    """Rows of numbers.csv by the name of the run; empty where there is none."""
-    if not path.exists():
-        return {}
-    with open(path, newline="") as file:
-        rows = csv.DictReader(line for line in file if not line.startswith("#"))
-        return {row.pop("run"): {key: value if key in TEXTS else float(value or "nan") for key, value in row.items()}
-                for row in rows}
+    """Rows of numbers.csv by the name of the run."""
+    return {row.pop("run"): row for row in tables.read(path, TEXTS)}
 
 
 def write(numbers, path):
-    with open(path, "w", newline="") as file:
-        file.write("# scripts/reproduce\n")
-        columns = list(dict.fromkeys(key for row in numbers.rows.values() for key in row))
-        writer = csv.DictWriter(file, ["run", *columns], lineterminator="\n")
-        writer.writeheader()
-        for name, row in sorted(numbers.rows.items()):
-            texts = {key: value if key in TEXTS else in_short(value) for key, value in row.items()}
-            writer.writerow({"run": name} | {key: text for key, text in texts.items() if text != "nan"})
+    rows = [{"run": name} | row for name, row in sorted(numbers.rows.items())]
+    tables.write(path, "scripts/reproduce", rows, TEXTS, DIGITS)

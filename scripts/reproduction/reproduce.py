@@ -46,7 +46,7 @@ def main():
         study.execute(list(runs.reduced()))
         sys.exit(not guard.check(study))
     groups = options.groups or [name for name in runs.GROUPS if name != "reduced"]
-    chosen = list({run.name: run for group in groups for run in runs.GROUPS[group]()}.values())
+    chosen = runs.of(groups)
     if options.list:
         signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # into head
         for run in chosen:

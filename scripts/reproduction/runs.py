@@ -157,3 +157,8 @@ GROUPS = {
     "open_points": open_points, "finite_width": finite_width, "stiffness": stiffness,
     "stiffness_paper": stiffness_paper, "reduced": reduced,
 }
+
+
+def of(groups):
+    """The runs of these groups, each once."""
+    return list({run.name: run for group in groups for run in GROUPS[group]()}.values())
