@@ -10,6 +10,7 @@
 #include "common/case_rules.hpp"
 #include "common/case_tables.hpp"
 #include "common/error.hpp"
+#include "common/text_file.hpp"
 
 namespace cosurge {
 namespace {
@@ -257,8 +258,9 @@ void resolve(Message& message) {
 }
 
 toml::table parse(const std::filesystem::path& file) {
+  const std::string bytes = without_byte_order_mark(file_contents(file), file);
   try {
-    return toml::parse_file(file.string());
+    return toml::parse(fmt::format("{}", fmt::join(lines_of(bytes), "\n")) + "\n", file.string());
   } catch (const toml::parse_error& error) {
     throw Error(fmt::format("{}:{}: {}", file.string(), error.source().begin.line, error.description()));
   }

@@ -8,6 +8,7 @@
 
 #include "common/error.hpp"
 #include "common/outline_rules.hpp"
+#include "common/region_rules.hpp"
 #include "common/shape.hpp"
 
 namespace cosurge {
@@ -110,27 +111,35 @@ std::optional<double> nearest_spacing(double spacing, const std::vector<double>&
 void check_spacing(const std::string& key, double spacing, const std::vector<NamedBox>& boxes,
                    CaseErrors& errors) {
   std::vector<double> lengths;
-  std::vector<std::string> wrong;
+  std::vector<std::string> wrong, rounded;
+  double farthest = 0;
+  std::string farthest_key;
   for (const NamedBox& named : boxes) {
     for (int k = 0; k < named.box.min_size(); ++k) {
       for (const double value : {named.box.min(k), named.box.max(k)}) {
         if (value != 0) lengths.push_back(std::abs(value));
-        if (!divides(spacing, value))
-          wrong.push_back(fmt::format("{} ({:.6g} is {:.4g} spacings)", named.key, value, value / spacing));
+        if (std::abs(value) > farthest) {
+          farthest = std::abs(value);
+          farthest_key = fmt::format("the coordinate {} of {}", value, named.key);
+        }
+        if (divides(spacing, value)) continue;
+        wrong.push_back(fmt::format("{} ({:.6g} is {:.4g} spacings)", named.key, value, value / spacing));
+        rounded.push_back(fmt::format("{:.6g} to {:.6g}", value, std::round(value / spacing) * spacing));
       }
     }
   }
   constexpr double finest = 1e5;  // spacings along a side: no memory holds more
-  const double longest = *std::max_element(lengths.begin(), lengths.end());
-  if (longest > finest * spacing)
-    return errors.add(key, fmt::format("{} must be >= {:.6g} [m], the longest side over {}", spacing,
-                                       longest / finest, finest));
+  if (farthest > finest * spacing)
+    return errors.add(key, fmt::format("{} must be >= {:.6g} [m]: {} is {:.3g} spacings, at most {:.0f} are "
+                                       "possible",
+                                       spacing, farthest / finest, farthest_key, farthest / spacing, finest));
   if (wrong.empty()) return;
   const auto below = nearest_spacing(spacing, lengths, 1);
   const auto above = nearest_spacing(spacing, lengths, -1);
-  errors.add(key, fmt::format("{} does not divide {}; nearest that divide every box: {} below, {} above",
+  errors.add(key, fmt::format("{} does not divide {}; nearest that divide every box: {} below, {} above; or "
+                              "round {}, or give the shape as an outline, which need not fit",
                               spacing, fmt::join(wrong, ", "), below ? fmt::format("{:.6g}", *below) : "none",
-                              above ? fmt::format("{:.6g}", *above) : "none"));
+                              above ? fmt::format("{:.6g}", *above) : "none", fmt::join(rounded, ", ")));
 }
 
 bool check_boxes_ordered(const std::vector<NamedBox>& boxes, CaseErrors& errors) {
@@ -146,7 +155,7 @@ bool check_boxes_ordered(const std::vector<NamedBox>& boxes, CaseErrors& errors)
   return ok;
 }
 
-/// Whether a shape is either a box or an outline that encloses something.
+/// Whether a shape is either a box or a closed outline.
 bool check_shape(const std::string& key, const v1::Shape& shape, CaseErrors& errors) {
   const bool box = shape.min_size() > 0 && shape.max_size() > 0;
   const bool outline = !shape.vertex().empty() || shape.has_outline();
@@ -155,29 +164,23 @@ bool check_shape(const std::string& key, const v1::Shape& shape, CaseErrors& err
     wrong = "must have either min and max, or outline";
   else if (outline)
     wrong = too_few_corners(shape, errors.dimension);
+  if (wrong.empty() && outline) wrong = not_closed(shape, errors.dimension);
   if (!wrong.empty()) errors.add(key, wrong);
   return wrong.empty();
 }
 
-/// Bodies need volumes, and shapes of their own a closed outline.
 bool check_body_shapes(const v1::Solid& solid, CaseErrors& errors) {
   bool ok = true;
-  const auto check = [&](const std::string& key, const v1::Shape& shape) {
-    if (!check_shape(key, shape, errors)) return ok = false;
-    const std::string wrong = is_box(shape) ? "" : not_closed(shape, errors.dimension);
-    if (!wrong.empty()) errors.add(key, wrong);
-    return ok = ok && wrong.empty();
-  };
   for (int i = 0; i < solid.body_size(); ++i) {
     const v1::Body& body = solid.body(i);
     if (body.has_box() == body.has_shape()) {
       errors.add(fmt::format("solid.body.{}", i), "must have either box or shape");
       ok = false;
     } else {
-      check(body_key(solid, i), shape_of(body));
+      ok = check_shape(body_key(solid, i), shape_of(body), errors) && ok;
     }
     for (int j = 0; j < body.clamp_size(); ++j)
-      check(fmt::format("solid.body.{}.clamp.{}", i, j), body.clamp(j));
+      ok = check_shape(fmt::format("solid.body.{}.clamp.{}", i, j), body.clamp(j), errors) && ok;
   }
   return ok;
 }
@@ -216,8 +219,9 @@ void check_scene(const v1::Case& c, CaseErrors& errors) {
   }
   if (c.solid().has_spacing() && !body_boxes(c.solid()).empty())
     check_spacing("solid.spacing", c.solid().spacing(), body_boxes(c.solid()), errors);
-  if (errors.lines.size() != before) return;
+  if (errors.lines.size() != before || !check_sizes(c, errors)) return;
   check_outlined_bodies(c, errors);
+  check_filled(c, errors);
   if (c.has_fluid()) check_obstacles(c, errors);
 }
 

@@ -1,95 +1,132 @@
 #include "common/case_tables.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
-#include <cstring>
-#include <fstream>
-#include <sstream>
+#include <numbers>
 
 #include "common/error.hpp"
+#include "common/stl.hpp"
+#include "common/table.hpp"
+#include "common/triangles.hpp"
 
 namespace cosurge {
 namespace {
 
-using Numbers = google::protobuf::RepeatedField<double>;
+constexpr double degree = std::numbers::pi / 180;
 
-std::string contents(const std::filesystem::path& file) {
-  require(std::filesystem::is_regular_file(file), "{}: no such file", file.string());
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
+bool has_extension(const std::filesystem::path& file, const std::string& wanted) {
+  std::string extension = file.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension == wanted;
 }
 
-/// Rows of `columns` numbers each, separated by commas or blanks.
-Numbers read_csv(const std::filesystem::path& file, int columns) {
-  std::istringstream text(contents(file));
-  Numbers numbers;
-  std::string line;
-  for (int number = 1; std::getline(text, line); ++number) {
-    if (line.empty() || line.front() == '#') continue;
-    for (char& c : line)
-      if (c == ',' || c == '\r') c = ' ';
-    std::istringstream fields(line);
-    const int before = numbers.size();
-    for (double value = 0; fields >> value;) numbers.Add(value);
-    require(fields.eof() && numbers.size() - before == columns, "{}:{}: must be {} numbers", file.string(),
-            number, columns);
+/// Corners of the polygon, each once.
+std::vector<double> read_polygon(const std::filesystem::path& file, bool scaled) {
+  const std::string unit = scaled ? "" : "m";
+  std::vector<double> corners = read_table(file, {{"x", unit}, {"y", unit}}).values;
+  std::vector<double> different;
+  for (std::size_t k = 0; k + 1 < corners.size(); k += 2) {
+    const std::size_t n = different.size();
+    if (n >= 2 && different[n - 2] == corners[k] && different[n - 1] == corners[k + 1]) continue;
+    different.insert(different.end(), {corners[k], corners[k + 1]});
   }
-  return numbers;
+  const std::size_t n = different.size();
+  if (n > 2 && different[0] == different[n - 2] && different[1] == different[n - 1]) different.resize(n - 2);
+  return different;
 }
 
-/// Corners of the triangles, three a triangle.
-Numbers read_stl(const std::filesystem::path& file) {
-  const std::string bytes = contents(file);
-  constexpr std::size_t head = 84, facet = 50;
-  Numbers corners;
-  std::uint32_t facets = 0;
-  if (bytes.size() >= head) std::memcpy(&facets, bytes.data() + 80, sizeof facets);
-  if (bytes.size() >= head && bytes.size() == head + facets * facet) {
-    for (std::size_t k = 0; k < facets; ++k) {
-      std::array<float, 12> values{};  // normal, and three corners
-      std::memcpy(values.data(), bytes.data() + head + k * facet, sizeof values);
-      for (std::size_t i = 3; i < values.size(); ++i) corners.Add(static_cast<double>(values[i]));
-    }
-  } else {
-    require(bytes.starts_with("solid"), "{}: is neither a text nor a binary STL", file.string());
-    std::istringstream words(bytes);
-    for (std::string word; words >> word;) {
-      if (word != "vertex") continue;
-      double x = 0, y = 0, z = 0;
-      require(static_cast<bool>(words >> x >> y >> z), "{}: a vertex must be three numbers", file.string());
-      for (const double value : {x, y, z}) corners.Add(value);
-    }
+/// Sine and cosine, exact for quarters of a turn: faces along the axes stay so.
+std::pair<double, double> sine_and_cosine(double degrees) {
+  const double quarters = degrees / 90;
+  if (quarters != std::round(quarters)) return {std::sin(degrees * degree), std::cos(degrees * degree)};
+  constexpr std::array<double, 4> sine = {0, 1, 0, -1};
+  const auto turn = static_cast<std::size_t>(std::fmod(std::fmod(quarters, 4) + 4, 4));
+  return {sine[turn], sine[(turn + 1) % 4]};
+}
+
+/// Turns corners of `dimension` coordinates in the plane from one axis to another.
+void turn(std::vector<double>& corners, std::size_t dimension, std::size_t from, std::size_t to,
+          double degrees) {
+  const auto [s, c] = sine_and_cosine(degrees);
+  for (std::size_t k = 0; k + dimension <= corners.size(); k += dimension) {
+    const double a = corners[k + from], b = corners[k + to];
+    corners[k + from] = c * a - s * b;
+    corners[k + to] = s * a + c * b;
   }
-  return corners;
 }
 
-void check_finite(const std::filesystem::path& file, const Numbers& numbers) {
-  for (const double value : numbers)
-    require(std::isfinite(value), "{}: {} is no finite number", file.string(), value);
+/// Scales, turns and moves corners as the shape says.
+void place(const v1::Shape& shape, std::size_t dimension, std::vector<double>& corners) {
+  for (double& value : corners) value *= shape.has_scale() ? shape.scale() : 1;
+  if (shape.rotate_size() == 1) turn(corners, 2, 0, 1, shape.rotate(0));
+  for (std::size_t axis = 0; axis < 3 && shape.rotate_size() == 3; ++axis)
+    turn(corners, 3, (axis + 1) % 3, (axis + 2) % 3, shape.rotate(static_cast<int>(axis)));
+  for (std::size_t k = 0; k < corners.size() && shape.shift_size() > 0; ++k)
+    corners[k] += shape.shift(static_cast<int>(k % dimension));
 }
 
 void read_outline(v1::Shape& shape, const std::filesystem::path& folder, int dimension) {
+  const bool placed = shape.has_scale() || shape.rotate_size() > 0 || shape.shift_size() > 0;
+  require(!placed || !shape.outline().empty(), "scale, rotate and shift are for an outline only");
   if (shape.outline().empty()) return;
   const auto file = folder / shape.outline();
-  require(dimension == 3 || file.extension() != ".stl",
+  require(dimension == 3 || !has_extension(file, ".stl"),
           "{}: a scene of two dimensions takes a polygon, x, y a line", file.string());
-  require(dimension == 2 || file.extension() != ".csv", "{}: a scene of three dimensions takes an STL",
+  require(dimension == 2 || !has_extension(file, ".csv"), "{}: a scene of three dimensions takes an STL",
           file.string());
-  *shape.mutable_vertex() = dimension == 2 ? read_csv(file, 2) : read_stl(file);
-  check_finite(file, shape.vertex());
+  const int angles = dimension == 2 ? 1 : 3;
+  require(shape.rotate_size() == 0 || shape.rotate_size() == angles, "rotate has {} angles, must have {}",
+          shape.rotate_size(), angles);
+  std::vector<double> corners =
+      dimension == 2 ? read_polygon(file, shape.has_scale()) : orient(weld(read_stl(file)));
+  place(shape, static_cast<std::size_t>(dimension), corners);
+  shape.mutable_vertex()->Assign(corners.begin(), corners.end());
+}
+
+/// The columns of a motion's table.
+std::vector<TableColumn> motion_columns(const v1::WallMotion& motion, int dimension) {
+  const std::string angle_unit = v1::AngleUnit::Word_Name(motion.angle_unit());
+  std::vector<TableColumn> columns = {{"time", "s"}};
+  if (motion.has_along()) {
+    const bool angle = motion.along() == v1::Along::angle;
+    columns.push_back({v1::Along::Word_Name(motion.along()), angle ? angle_unit : "m"});
+    return columns;
+  }
+  for (int k = 0; k < dimension; ++k) columns.push_back({std::string(1, "xyz"[k]), "m"});
+  columns.push_back({"angle", angle_unit});
+  return columns;
 }
 
 void read_motion(v1::WallMotion& motion, const std::filesystem::path& folder, int dimension) {
-  if (motion.table().empty()) return;
+  if (motion.table().empty()) {
+    require(!motion.has_along(), "along is for a table only");
+    return;
+  }
+  require(!motion.has_along() || motion.along() != v1::Along::z || dimension == 3,
+          "along = \"z\" is for scenes of three dimensions");
   const auto file = folder / motion.table();
-  const int columns = dimension + 2;
-  *motion.mutable_row() = read_csv(file, columns);
-  check_finite(file, motion.row());
-  require(motion.row_size() >= 2 * columns && motion.row(0) == 0,
-          "{}: must begin at time 0 and have two rows", file.string());
-  for (int k = columns; k < motion.row_size(); k += columns)
-    require(motion.row(k) > motion.row(k - columns), "{}: times must increase", file.string());
+  const std::vector<TableColumn> columns = motion_columns(motion, dimension);
+  const Table table = read_table(file, columns);
+  require(table.lines.size() >= 2, "{}: has {} rows of {}; needs two at least", file.string(),
+          table.lines.size(), describe(columns));
+  const double angle = motion.angle_unit() == v1::AngleUnit::deg ? degree : 1;
+  const auto last = static_cast<std::size_t>(dimension);  // column of the angle, without the time
+  for (std::size_t r = 0; r < table.lines.size(); ++r) {
+    const double* row = table.values.data() + r * columns.size();
+    require(r == 0 || row[0] > row[-static_cast<std::ptrdiff_t>(columns.size())],
+            "{}:{}: times must increase: {} s after {} s", file.string(), table.lines[r], row[0],
+            r == 0 ? 0 : row[-static_cast<std::ptrdiff_t>(columns.size())]);
+    std::vector<double> pose(last + 1, 0.0);
+    if (motion.has_along())
+      pose[motion.along() == v1::Along::angle ? last : static_cast<std::size_t>(motion.along())] = row[1];
+    else
+      std::copy_n(row + 1, pose.size(), pose.begin());
+    pose[last] *= angle;
+    motion.add_row(row[0]);
+    for (const double value : pose) motion.add_row(value);
+  }
 }
 
 }  // namespace

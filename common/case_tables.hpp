@@ -7,9 +7,10 @@
 
 namespace cosurge {
 
-/// Reads every outline and table that the case names into the case, from files beside `folder`: CSV of
-/// numbers (lines that begin with # are left out), or STL, text or binary. So a case is whole in itself from
-/// here on. Adds to `errors` what cannot be read, with file and line.
+/// Reads every outline and table that the case names into the case, from files beside `folder`: tables as in
+/// common/table.hpp, STL as in common/stl.hpp. Outlines are scaled, turned and moved; angles are in rad
+/// thereafter. So a case is whole in itself from here on. Adds to `errors` what cannot be read, with file and
+/// line.
 void read_tables(v1::Case& the_case, const std::filesystem::path& folder, CaseErrors& errors);
 
 }  // namespace cosurge

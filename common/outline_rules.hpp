@@ -11,11 +11,12 @@ std::string body_key(const v1::Solid& solid, int body);
 /// Whether an outline has so few corners that it encloses nothing: what to say of it, else nothing.
 std::string too_few_corners(const v1::Shape& outline, int dimension);
 
-/// Whether a polygon crosses itself, or triangles leave a hole or are not all ordered the same way around:
-/// what to say of it, else nothing.
+/// Whether a polygon crosses itself or goes around twice, or triangles leave a hole, are not all ordered the
+/// same way around or are there twice: what to say of it, else nothing.
 std::string not_closed(const v1::Shape& outline, int dimension);
 
-/// Bodies with an outline have sites, in one piece, and none that another body has.
+/// Bodies with an outline have sites, in one piece, none that another body has, and no parts that overlap.
+/// After check_sizes() (common/region_rules.hpp).
 void check_outlined_bodies(const v1::Case& the_case, CaseErrors& errors);
 
 /// No obstacle, where it is at the start, has a site of a body, whatever the shapes of both.

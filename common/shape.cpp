@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "common/triangles.hpp"
+
 namespace cosurge {
 
 Vec<2> normal_of(const Shape<2>::Facet& side) { return {side[1][1] - side[0][1], side[0][0] - side[1][0]}; }
@@ -25,25 +27,27 @@ Box<dim> bounds_of(const v1::Shape& shape) {
   return {vertices.rowwise().minCoeff(), vertices.rowwise().maxCoeff()};
 }
 
-/// Whether the ray from x along the first coordinate crosses the side from a to b; its lower end counts, its
-/// upper one not.
-bool crosses(const Vec<2>& x, const std::array<Vec<2>, 2>& side) {
+/// How the ray from x along the first coordinate crosses the side from a to b: 1 from its inner to its outer
+/// side, -1 the other way, 0 not. Its lower end counts, its upper one not.
+int crossing(const Vec<2>& x, const std::array<Vec<2>, 2>& side) {
   const auto& [a, b] = side;
-  if ((a[1] > x[1]) == (b[1] > x[1])) return false;
-  return x[0] < a[0] + (x[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]);
+  if ((a[1] > x[1]) == (b[1] > x[1])) return 0;
+  if (!(x[0] < a[0] + (x[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]))) return 0;
+  return b[1] > a[1] ? 1 : -1;
 }
 
-/// Whether the ray from x along the first coordinate crosses the triangle.
-bool crosses(const Vec<3>& x, const std::array<Vec<3>, 3>& triangle) {
+/// The same of a triangle.
+int crossing(const Vec<3>& x, const std::array<Vec<3>, 3>& triangle) {
   const auto& [a, b, c] = triangle;
   Mat<2> edges;
   edges.col(0) = (b - a).tail<2>();
   edges.col(1) = (c - a).tail<2>();
   const double determinant = edges.determinant();
-  if (determinant == 0) return false;
+  if (determinant == 0) return 0;
   const Vec<2> share = edges.inverse() * (x - a).tail<2>();
-  if (share[0] < 0 || share[1] < 0 || share.sum() > 1) return false;
-  return x[0] < a[0] + share[0] * (b[0] - a[0]) + share[1] * (c[0] - a[0]);
+  if (share[0] < 0 || share[1] < 0 || share.sum() > 1) return 0;
+  if (!(x[0] < a[0] + share[0] * (b[0] - a[0]) + share[1] * (c[0] - a[0]))) return 0;
+  return determinant > 0 ? 1 : -1;
 }
 
 template <int dim>
@@ -91,18 +95,23 @@ Shape<dim>::Shape(const v1::Shape& shape) : bounds_(bounds_of<dim>(shape)) {
     for (int k = 0; k < corners; ++k) facets_.push_back({corner(k), corner(k + 1)});
   else
     for (int k = 0; k + 2 < corners; k += 3) facets_.push_back({corner(k), corner(k + 1), corner(k + 2)});
+  if constexpr (dim == 3) oriented_ = is_oriented(facets_);
 }
 
 template <int dim>
 bool Shape<dim>::contains(const Vec<dim>& x) const {
-  if (!bounds_.contains(x)) return false;
-  if (is_box()) return true;
+  return bounds_.contains(x) && (is_box() || winding(x) != 0);
+}
+
+template <int dim>
+int Shape<dim>::winding(const Vec<dim>& x) const {
+  if (is_box()) return bounds_.contains(x) ? 1 : 0;
   Vec<dim> start = x;
   // A little aside of where edges lie: a ray along the edge of two triangles would meet both or none.
   if constexpr (dim == 3) start += 1e-9 * (bounds_.max - bounds_.min).norm() * Vec<3>(0, 1, 0.618);
-  int crossings = 0;
-  for (const Facet& facet : facets_) crossings += crosses(start, facet) ? 1 : 0;
-  return crossings % 2 == 1;
+  int sum = 0;
+  for (const Facet& facet : facets_) sum += crossing(start, facet);
+  return oriented_ ? sum : std::abs(sum) % 2;
 }
 
 template <int dim>

@@ -16,9 +16,15 @@ class Shape {
 
   explicit Shape(const v1::Shape& shape);
 
-  /// Whether x is inside: on a box's boundary is, on an outline's may be. An outline is crossed by a ray
-  /// along the first coordinate an odd number of times from inside (Shimrat 1962, CACM 5, 434).
+  /// Whether x is inside: on a box's boundary is, on an outline's may be. Inside of an outline is where its
+  /// winding number is not zero, so that closed parts of one orientation that overlap are one body.
   bool contains(const Vec<dim>& x) const;
+
+  /// How many times the outline goes around x: a ray along the first coordinate crosses it as many times more
+  /// outwards than inwards (Hormann & Agathos 2001, Comput. Geom. 20, 131). Negative for an outline that is
+  /// inside out. Of triangles that are not ordered alike it is 1 where the ray crosses an odd number of them
+  /// (Shimrat 1962, CACM 5, 434), else 0.
+  int winding(const Vec<dim>& x) const;
 
   bool is_box() const { return facets_.empty(); }
   const Box<dim>& bounds() const { return bounds_; }
@@ -39,6 +45,7 @@ class Shape {
  private:
   Box<dim> bounds_;
   std::vector<Facet> facets_;
+  bool oriented_ = true;  // whether all facets have their inner side on the same hand
 };
 
 /// Normal of a facet, as long as it is large (in space: twice its area).

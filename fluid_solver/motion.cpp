@@ -7,6 +7,28 @@ namespace cosurge::fluid {
 
 using std::numbers::pi;
 
+namespace {
+
+/// The nearest slope to `wanted` with which a cubic stays between its ends on a side where the secant has the
+/// slope `secant`: between 0 and three times as steep (Fritsch & Carlson 1980, de Boor & Swartz 1977).
+double monotone(double wanted, double secant) {
+  return secant > 0 ? std::clamp(wanted, 0.0, 3 * secant) : std::clamp(wanted, 3 * secant, 0.0);
+}
+
+/// At a row between sides of lengths h, k and secants a, b: that of the parabola through the three rows, but
+/// 0 where the way turns or rests.
+double inner_slope(double h, double k, double a, double b) {
+  if (a * b <= 0) return 0;
+  return monotone(monotone((k * a + h * b) / (h + k), a), b);
+}
+
+/// At the outer end of a side of length h and secant a, beside one of length k and secant b: of the parabola.
+double end_slope(double h, double k, double a, double b) {
+  return monotone(((2 * h + k) * a - h * b) / (h + k), a);
+}
+
+}  // namespace
+
 template <int dim>
 Motion<dim>::Motion(const v1::WallMotion& motion)
     : frequency_(motion.frequency()), phase_(motion.phase()), ramp_(motion.ramp()) {
@@ -18,11 +40,12 @@ Motion<dim>::Motion(const v1::WallMotion& motion)
     time_.push_back(motion.row(k));
     row_.emplace_back(Eigen::Map<const Pose>(motion.row().data() + k + 1));
   }
+  if (row_.size() > 1) slope_ = slopes();
 }
 
 template <int dim>
 auto Motion<dim>::pose(double t) const -> Pose {
-  if (!row_.empty()) return from_table(t) - row_.front();
+  if (!row_.empty()) return from_table(t) - from_table(0);
   const double grown = t < ramp_ ? 0.5 * (1 - std::cos(pi * t / ramp_)) : 1;
   const double start = ramp_ > 0 ? 0 : std::sin(phase_);
   return (grown * std::sin(2 * pi * frequency_ * t + phase_) - start) * amplitude_;
@@ -30,20 +53,36 @@ auto Motion<dim>::pose(double t) const -> Pose {
 
 template <int dim>
 auto Motion<dim>::from_table(double t) const -> Pose {
+  if (t <= time_.front()) return row_.front();
   if (t >= time_.back()) return row_.back();
   const auto k =
       static_cast<std::size_t>(std::upper_bound(time_.begin(), time_.end(), t) - time_.begin()) - 1;
-  const auto slope = [&](std::size_t i) -> Pose {
-    const std::size_t a = i > 0 ? i - 1 : i;
-    const std::size_t b = std::min(i + 1, row_.size() - 1);
-    return (row_[b] - row_[a]) / (time_[b] - time_[a]);
-  };
   const double h = time_[k + 1] - time_[k];
   const double s = (t - time_[k]) / h;
   const double s2 = s * s;
   const double s3 = s2 * s;
-  return (2 * s3 - 3 * s2 + 1) * row_[k] + (s3 - 2 * s2 + s) * h * slope(k) +
-         (3 * s2 - 2 * s3) * row_[k + 1] + (s3 - s2) * h * slope(k + 1);
+  return row_[k] + (3 * s2 - 2 * s3) * (row_[k + 1] - row_[k]) + (s3 - 2 * s2 + s) * h * slope_[k] +
+         (s3 - s2) * h * slope_[k + 1];
+}
+
+template <int dim>
+auto Motion<dim>::slopes() const -> std::vector<Pose> {
+  const std::size_t last = row_.size() - 1;
+  std::vector<double> h(last);
+  std::vector<Pose> secant(last), slope(row_.size());
+  for (std::size_t k = 0; k < last; ++k) {
+    h[k] = time_[k + 1] - time_[k];
+    secant[k] = (row_[k + 1] - row_[k]) / h[k];
+  }
+  slope.front() = secant.front();
+  slope.back() = secant.back();
+  for (int c = 0; c <= dim && last > 1; ++c) {
+    slope.front()[c] = end_slope(h[0], h[1], secant[0][c], secant[1][c]);
+    slope.back()[c] = end_slope(h[last - 1], h[last - 2], secant[last - 1][c], secant[last - 2][c]);
+    for (std::size_t k = 1; k < last; ++k)
+      slope[k][c] = inner_slope(h[k - 1], h[k], secant[k - 1][c], secant[k][c]);
+  }
+  return slope;
 }
 
 /// In the plane of the first and the last coordinate, from the first to the last.

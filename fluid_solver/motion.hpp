@@ -6,9 +6,10 @@
 namespace cosurge::fluid {
 
 /// Displacement and rotation as functions of time, both zero at t = 0: by a formula, amplitude x (s(t) -
-/// s(0)) with s = ramp(t) sin(2 pi f t + phase) and a half cosine as the ramp, or by a table, between whose
-/// rows a cubic Hermite spline with the slopes of Catmull & Rom (1974) runs and after whose end the wall
-/// stands still.
+/// s(0)) with s = ramp(t) sin(2 pi f t + phase) and a half cosine as the ramp, or by a table. Between its
+/// rows runs a cubic Hermite spline with slopes that are limited so that it is monotone there (Fritsch &
+/// Carlson 1980, SIAM J. Numer. Anal. 17, 238): it never leaves the range of the two rows, and rests where
+/// they are equal. Before the first row and after the last the wall stands still.
 template <int dim>
 class Motion {
  public:
@@ -32,6 +33,7 @@ class Motion {
 
   Pose pose(double t) const;
   Pose from_table(double t) const;
+  std::vector<Pose> slopes() const;
   Mat<dim> rotation(double angle) const;
   std::vector<double> samples() const;
 
@@ -42,6 +44,7 @@ class Motion {
   double ramp_;               // [s]
   std::vector<double> time_;  // of the table's rows
   std::vector<Pose> row_;
+  std::vector<Pose> slope_;  // at the rows
 };
 
 }  // namespace cosurge::fluid

@@ -63,6 +63,83 @@ TEST(Motion, ATableIsMetAtItsRowsAndBetweenThemToThirdOrder) {
   EXPECT_EQ(motion.place({0, 0}, 0.5)[1], 0);                         // the rows count from the first
 }
 
+/// A table with one coordinate.
+v1::WallMotion table_of_x(const std::vector<std::pair<double, double>>& rows) {
+  v1::WallMotion motion;
+  for (const auto& [t, x] : rows)
+    for (const double value : {t, x, 0.0, 0.0}) motion.add_row(value);
+  return motion;
+}
+
+double x_at(const v1::WallMotion& motion, double t) { return Motion<2>(motion).place({0, 0}, t)[0]; }
+
+TEST(Motion, RestsOfATableStayAtRestAndNothingOvershoots) {
+  const v1::WallMotion stroke = table_of_x({{0, 0}, {1, 0}, {1.1, 0.1}, {2, 0.1}});
+  for (int k = 0; k <= 300; ++k) {
+    const double t = 0.01 * k, x = x_at(stroke, t);
+    if (t <= 1) {
+      EXPECT_EQ(x, 0) << t;
+    }
+    if (t >= 1.1) {
+      EXPECT_NEAR(x, 0.1, 1e-15) << t;
+    }
+    EXPECT_GE(x, 0);
+    EXPECT_LE(x, 0.1);
+  }
+  EXPECT_NEAR(x_at(stroke, 1.05), 0.05, 1e-15);  // by symmetry
+}
+
+TEST(Motion, BetweenTwoRowsATableNeverLeavesTheirRange) {
+  const std::vector<std::vector<double>> ways = {{0, 0, 1, 1, 0, 0},
+                                                 {0, 1, 0, -1, 0, 1},
+                                                 {0, 1e-6, 1, 1 + 1e-6, 2},
+                                                 {0, 1, 1.001, 1.002, 5},
+                                                 {5, 1.002, 1.001, 1, 0, 0},
+                                                 {0, 10, 10.5, 10.5, 10},
+                                                 {1, -1},
+                                                 {0, 0, 0, 3, 3, -2, -2, -2.5}};
+  for (const double uneven : {0.0, 0.4, 0.95}) {
+    for (const std::vector<double>& way : ways) {
+      std::vector<std::pair<double, double>> rows;
+      for (std::size_t k = 0; k < way.size(); ++k)
+        rows.emplace_back(static_cast<double>(k) + (k % 2 == 0 ? 0 : uneven), way[k]);
+      const v1::WallMotion motion = table_of_x(rows);
+      for (std::size_t k = 0; k + 1 < rows.size(); ++k) {
+        double before = x_at(motion, rows[k].first);
+        for (int part = 1; part <= 50; ++part) {
+          const double t = rows[k].first + 0.02 * part * (rows[k + 1].first - rows[k].first);
+          const double x = x_at(motion, t);
+          // Monotone, to rounding.
+          EXPECT_GE((x - before) * (way[k + 1] - way[k] >= 0 ? 1 : -1), -1e-14) << k << " " << t;
+          before = x;
+        }
+        EXPECT_NEAR(before, way[k + 1] - way[0], 1e-14);
+      }
+    }
+  }
+}
+
+TEST(Motion, ATableOfConstantSpeedHasIt) {
+  const v1::WallMotion motion = table_of_x({{0, 0}, {0.3, 0.15}, {1, 0.5}});
+  for (double t = 0; t <= 1; t += 0.07) EXPECT_NEAR(x_at(motion, t), 0.5 * t, 1e-15);
+}
+
+TEST(Motion, StandsBeforeItsTableBeginsAndAfterItEnds) {
+  const v1::WallMotion late = table_of_x({{1, 0.2}, {2, 0.5}});
+  for (const double t : {0.0, 0.5, 1.0}) EXPECT_EQ(x_at(late, t), 0);
+  EXPECT_NEAR(x_at(late, 1.5), 0.15, 1e-15);
+  for (const double t : {2.0, 9.0}) EXPECT_NEAR(x_at(late, t), 0.3, 1e-15);
+}
+
+TEST(Motion, OfATableThatBeganEarlierCountsFromTheStartOfTheRun) {
+  const v1::WallMotion early = table_of_x({{-1, 0}, {1, 0.4}});
+  EXPECT_EQ(x_at(early, 0), 0);
+  EXPECT_NEAR(x_at(early, 0.5), 0.1, 1e-15);
+  EXPECT_NEAR(x_at(early, 3), 0.2, 1e-15);
+  const v1::WallMotion over = table_of_x({{-2, 0}, {-1, 0.4}});
+  for (const double t : {0.0, 1.0}) EXPECT_EQ(x_at(over, t), 0);
+}
+
 TEST(Motion, OriginUndoesPlace) {
   for (const v1::WallMotion& m : {formula(), table()}) {
     const Motion<2> motion(m);
