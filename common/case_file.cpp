@@ -10,6 +10,7 @@
 #include "common/case_rules.hpp"
 #include "common/case_tables.hpp"
 #include "common/error.hpp"
+#include "common/snap_probes.hpp"
 #include "common/text_file.hpp"
 
 namespace cosurge {
@@ -286,6 +287,7 @@ v1::Case load_case(const std::string& path, const std::vector<std::string>& over
   read_tables(result, file.parent_path(), errors);
   errors.raise();
   resolve(result);
+  snap_probes(result);
   check_rules(result, errors);
   errors.raise();
   return result;

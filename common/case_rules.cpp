@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
 
 #include "common/error.hpp"
 #include "common/outline_rules.hpp"
+#include "common/probe_columns.hpp"
 #include "common/region_rules.hpp"
 #include "common/shape.hpp"
+#include "common/snap_probes.hpp"
 
 namespace cosurge {
 namespace {
@@ -304,9 +307,36 @@ void check_place(const v1::Case& c, const v1::Probe& probe, const std::string& k
   *point.mutable_max() = probe.position();
   const bool on_body = body_at(c.solid(), probe.position()) >= 0;
   const bool of_body = probe.quantity() == v1::Probe::displacement || probe.quantity() == v1::Probe::force;
-  if (of_body && !on_body) errors.add(key + ".position", "must lie in or on a body");
+  if (of_body && !on_body) {
+    const std::string nearest = nearest_body(c, probe);
+    errors.add(key + ".position", "must lie in or on a body" + (nearest.empty() ? "" : "; " + nearest));
+  }
   if (!of_body && !on_body && !inside(point, c.fluid().tank(), 1e-9))
     errors.add(key + ".position", "must lie in fluid.tank or on a body");
+}
+
+/// No column of a probe is that of another probe, or one that the results have without it.
+void check_columns(const v1::Case& c, CaseErrors& errors) {
+  std::map<std::string, int> taken;
+  for (int i = 0; i < c.output().probe_size(); ++i) {
+    const v1::Probe& probe = c.output().probe(i);
+    const auto add = [&](const std::string& what) {
+      errors.add(fmt::format("output.probe.{}.name", i), what);
+    };
+    for (const std::string& column : probe_columns(probe, c.dimension())) {
+      if (is_own_column(probe_group(probe), column))
+        add(fmt::format(
+            "\"{}\" makes the column {}, which the results of the {} solver have without it: choose "
+            "another name",
+            probe.name(), column, probe_group(probe)));
+      const auto [first, is_new] = taken.emplace(column, i);
+      if (!is_new && first->second != i && c.output().probe(first->second).name() != probe.name())
+        add(fmt::format(
+            "\"{}\" makes the column {}, which output.probe.{} (\"{}\") makes, too: choose another "
+            "name",
+            probe.name(), column, first->second, c.output().probe(first->second).name()));
+    }
+  }
 }
 
 void check_probes(const v1::Case& c, CaseErrors& errors) {
@@ -326,6 +356,7 @@ void check_probes(const v1::Case& c, CaseErrors& errors) {
     else
       check_place(c, probe, key, errors);
   }
+  check_columns(c, errors);
 }
 
 void check_times(const v1::Case& c, CaseErrors& errors) {

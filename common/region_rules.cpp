@@ -189,6 +189,30 @@ void check_obstacle_sites(const v1::Fluid& fluid, CaseErrors& errors) {
   }
 }
 
+/// What holds a body must not be a place that water flows through.
+template <int dim>
+void check_clamps(const v1::Case& c, CaseErrors& errors) {
+  const Box<dim> tank(c.fluid().tank());
+  std::vector<Shape<dim>> solid;
+  for (const auto& regions : {obstacles(c.fluid()), bodies(c.solid())})
+    for (const Region& region : regions) solid.emplace_back(region.shape);
+  for (int i = 0; i < c.solid().body_size(); ++i) {
+    for (int j = 0; j < c.solid().body(i).clamp_size(); ++j) {
+      const Region clamp{.key = fmt::format("solid.body.{}.clamp.{}", i, j),
+                         .shape = c.solid().body(i).clamp(j)};
+      if (!region_fits<dim>(clamp, "fluid.spacing", c.fluid().spacing(), errors)) continue;
+      const auto open = [&](const Vec<dim>& x) {
+        return tank.contains(x) && std::none_of(solid.begin(), solid.end(),
+                                                [&](const Shape<dim>& shape) { return shape.contains(x); });
+      };
+      if (has_site<dim>(Shape<dim>(clamp.shape), c.fluid().spacing(), open))
+        errors.add(clamp.key,
+                   "lies in fluid.tank, where water would flow through it: put a fluid.obstacle of the "
+                   "same shape there, or move it out of the tank");
+    }
+  }
+}
+
 }  // namespace
 
 bool check_sizes(const v1::Case& c, CaseErrors& errors) {
@@ -200,9 +224,11 @@ void check_filled(const v1::Case& c, CaseErrors& errors) {
   if (c.dimension() == 2) {
     check_water<2>(c, errors);
     check_obstacle_sites<2>(c.fluid(), errors);
+    check_clamps<2>(c, errors);
   } else {
     check_water<3>(c, errors);
     check_obstacle_sites<3>(c.fluid(), errors);
+    check_clamps<3>(c, errors);
   }
 }
 

@@ -9,7 +9,8 @@ namespace cosurge {
 bool check_sizes(const v1::Case& the_case, CaseErrors& errors);
 
 /// Water and obstacles lie in the tank (an obstacle that moves may come into it later) and hold at least one
-/// particle each, which for water no obstacle and no body takes. After check_sizes().
+/// particle each, which for water no obstacle and no body takes; clamps lie outside the tank, or in
+/// obstacles. After check_sizes().
 void check_filled(const v1::Case& the_case, CaseErrors& errors);
 
 }  // namespace cosurge

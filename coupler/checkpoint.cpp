@@ -16,7 +16,7 @@ namespace {
 
 constexpr double rounding = 1e-9;  // s: rows of the checkpoint's own window are at its time, to the bit
 
-constexpr int layout = 2;  // of states: to be raised whenever what is saved, or its order, changes
+constexpr int layout = 3;  // of states: to be raised whenever what is saved, or its order, changes
 
 std::string signature() { return fmt::format("cosurge checkpoint {}, layout {}", version, layout); }
 

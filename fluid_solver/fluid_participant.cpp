@@ -3,6 +3,7 @@
 #include "common/solvers.hpp"
 #include "common/version.hpp"
 #include "fluid_solver/gauges.hpp"
+#include "fluid_solver/lost_water.hpp"
 #include "fluid_solver/mps.hpp"
 
 namespace cosurge::fluid {
@@ -24,7 +25,8 @@ class FluidParticipant::SceneOf : public Scene {
   explicit SceneOf(const v1::Case& the_case)
       : case_(the_case),
         gravity_(Eigen::Map<const Vec<dim>>(the_case.gravity().data())),
-        mps_(the_case.fluid(), the_case.has_solid() ? &the_case.solid() : nullptr, gravity_) {}
+        mps_(the_case.fluid(), the_case.has_solid() ? &the_case.solid() : nullptr, gravity_),
+        lost_water_(the_case.fluid(), mps_.particles()) {}
 
   Setup describe(Interface& interface, Surface& surface) override {
     interface = mps_.bodies().interface();
@@ -50,6 +52,7 @@ class FluidParticipant::SceneOf : public Scene {
                 .particles = static_cast<std::uint64_t>(mps_.initial_size()),
                 .window = case_.time().window(),
                 .substep = 0};
+    for (const Column& column : LostWater<dim>::columns()) setup.columns.push_back(column);
     for (const v1::Probe& probe : case_.output().probe()) add_gauge(probe, interface, setup.columns);
     return setup;
   }
@@ -60,7 +63,9 @@ class FluidParticipant::SceneOf : public Scene {
     else
       mps_.set_body_velocity(surface.velocity);
     mps_.set_modes(surface.modes);
+    if (window.attempt <= 1) lost_water_.before_step(mps_.particles());
     const StepReport step = mps_.step(window.start, window.size, window.attempt);
+    if (window.attempt <= 1) lost_water_.after_step(mps_.particles(), window.start + window.size);
     mps_.load(surface);
     const WaterState water = survey_water(mps_, particle_mass(), spacing(), gravity_);
     Report report;
@@ -77,13 +82,27 @@ class FluidParticipant::SceneOf : public Scene {
                      static_cast<double>(water.inside_bodies)};
     for (const double seconds : mps_.clock().seconds()) report.values.push_back(seconds);
     report.values.push_back(cpu_seconds() - cpu_start_);
+    for (const double value : lost_water_.values()) report.values.push_back(value);
     for (const auto& gauge : gauges_) report.values.push_back(gauge(surface));
     report.window = step.max_window;
     return report;
   }
 
-  std::string save() override { return mps_.save(); }
-  void restore(const std::string& state) override { mps_.restore(state); }
+  std::string save() override {
+    StateWriter state;
+    state.put(mps_.save());
+    lost_water_.save(state);
+    return state.take();
+  }
+
+  void restore(const std::string& bytes) override {
+    StateReader state(bytes);
+    std::string water;
+    state.get(water);
+    mps_.restore(water);
+    lost_water_.restore(state);
+    state.finish();
+  }
 
   Snapshot frame() override {
     const auto count = static_cast<std::size_t>(mps_.initial_size());
@@ -147,6 +166,7 @@ class FluidParticipant::SceneOf : public Scene {
   v1::Case case_;
   Vec<dim> gravity_;
   Mps<dim> mps_;
+  LostWater<dim> lost_water_;
   std::vector<std::function<double(const Surface&)>> gauges_;  // of the probes, a column each
   double cpu_start_ = cpu_seconds();
 };

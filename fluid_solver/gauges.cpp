@@ -6,6 +6,7 @@
 
 #include "common/error.hpp"
 #include "common/ordered_sum.hpp"
+#include "fluid_solver/snap_to_face.hpp"
 
 namespace cosurge::fluid {
 namespace {
@@ -42,10 +43,11 @@ double highest_near(const Mps<dim>& mps, const Vec<dim>& x, double floor) {
 template <int dim>
 SurfacePressureProbe<dim>::SurfacePressureProbe(const std::string& name, const Vec<dim>& position,
                                                 const Interface& interface, double spacing) {
+  const Vec<dim> on_face = snap_to_face<dim>(name, position, interface, spacing);
   double sum = 0;
   for (Eigen::Index k = 0; k < interface.points(); ++k) {
     const Vec<dim> area = interface.area.col(k);
-    const Vec<dim> way = interface.position.col(k) - position;
+    const Vec<dim> way = interface.position.col(k) - on_face;
     for (int axis = 0; axis < dim; ++axis) {
       // The point must lie on this face of the particle: half a spacing from its centre along the outward
       // normal.

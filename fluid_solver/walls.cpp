@@ -13,9 +13,21 @@ Walls<dim>::Walls(const v1::Fluid& fluid, int dummy_layers)
       tank_motion_(fluid.tank_motion()) {
   parts_.push_back(tank_part());
   for (const v1::Obstacle& obstacle : fluid.obstacle()) {
-    obstacles_.emplace_back(obstacle.shape());
-    parts_.push_back(obstacle_part(obstacle, obstacles_.back()));
+    const Shape<dim> shape(obstacle.shape());
+    parts_.push_back(obstacle_part(obstacle, shape));
+    obstacles_.push_back(shape);
   }
+}
+
+/// Whether the tank's walls or an obstacle before have the site, or no water ever comes near it: one place,
+/// one particle.
+template <int dim>
+bool Walls<dim>::taken(const Vec<dim>& x, bool moves) const {
+  if (covers(x)) return true;
+  const double depth =
+      std::max((tank_.min - x).maxCoeff(), (x - tank_.max).template head<dim - 1>().maxCoeff());
+  const bool above = x[dim - 1] > tank_.max[dim - 1];
+  return depth > 0 && !above && (!moves || depth < thickness_);
 }
 
 template <int dim>
@@ -37,7 +49,9 @@ auto Walls<dim>::tank_part() const -> Part {
 template <int dim>
 auto Walls<dim>::obstacle_part(const v1::Obstacle& obstacle, const Shape<dim>& shape) const -> Part {
   Part part{.place = {}, .kind = {}, .motion = Motion<dim>(obstacle.motion())};
+  const bool moves = part.motion.moves() || tank_motion_.moves();
   for (const Vec<dim>& x : shape.fill(spacing_)) {
+    if (taken(x, moves)) continue;
     bool bare = false;  // with a site beside it that is not of the obstacle
     for (int axis = 0; axis < dim; ++axis)
       for (const double side : {-spacing_, spacing_}) {

@@ -12,6 +12,9 @@ class Walls {
  public:
   /// The tank of the case: floor and side walls, one layer with pressure and `dummy_layers` behind it,
   /// corners filled, open at the top (the last coordinate). Obstacles: their outermost layer has pressure.
+  /// They may overlap each other and go into floor and side walls: a site counts once, as the tank's, or as
+  /// the first obstacle's that has it. What of an obstacle lies in the tank's walls at the start does not
+  /// move with it.
   Walls(const v1::Fluid& fluid, int dummy_layers);
 
   /// Adds all wall and dummy particles.
@@ -42,6 +45,7 @@ class Walls {
     std::int32_t first_id = 0;
   };
 
+  bool taken(const Vec<dim>& x, bool moves) const;
   Part tank_part() const;
   Part obstacle_part(const v1::Obstacle& obstacle, const Shape<dim>& shape) const;
 

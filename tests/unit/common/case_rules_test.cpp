@@ -110,7 +110,7 @@ const Spoiled table[] = {
     {"WideLaplacian", "source  =", "re_gradient = 1.6\nsource  =",
      "fluid.re_laplacian: 4 must be <= 2 fluid.re_gradient", "[fluid]"},
     {"ProbeOutsideItsBody", "position = [0.1, 0.1]", "position = [0.2, 0.05]",
-     "output.probe.0.position: must lie in or on a body"},
+     "output.probe.0.position: must lie in or on a body; solid.body.0 is 0.06 m away, at (0.14, 0.05)"},
     {"LevelOutsideTheTank", "quantity = \"pressure\"\nposition = [0.1, 0.05]",
      "quantity = \"level\"\nposition = [0.4, 0.05]",
      "output.probe.1.position: must lie in fluid.tank or on a body", "position = [0.4"},
@@ -125,6 +125,13 @@ const Spoiled table[] = {
     {"MotionWithoutAFrequency", "source  =", "tank_motion = { amplitude = [0.1, 0.0] }\nsource  =",
      "fluid.tank_motion.frequency: must be > 0 [Hz] where there is an amplitude"},
     {"ProbeNameTwice", "name = \"P1\"", "name   = \"tip\"", "output.probe.1.name: \"tip\" is taken"},
+    {"ProbeNameOfTheWatersOwn", "name = \"P1\"", "name = \"max_speed\"",
+     "output.probe.1.name: \"max_speed\" makes the column max_speed, which the results of the fluid solver "
+     "have"},
+    {"ProbeNameLikePhases", "name = \"P1\"", "name = \"seconds_total\"",
+     "output.probe.1.name: \"seconds_total\" makes the column seconds_total, which"},
+    {"ProbeNameThatADirectionHas", "name = \"P1\"", "name = \"tip_x\"",
+     "output.probe.1.name: \"tip_x\" makes the column tip_x, which output.probe.0 (\"tip\") makes, too"},
     {"ProbeNameWithASpace", "name = \"P1\"", "name = \"P 1\"",
      "output.probe.1.name: must be made of letters"},
     {"ProbeWithoutAName", "name = \"P1\"", "name = \"\"", "output.probe.1.name: must be made of letters"},
@@ -153,6 +160,30 @@ TEST_P(SpoiledCase, IsRefusedWithItsKeyAndItsLine) {
 
 INSTANTIATE_TEST_SUITE_P(CaseRules, SpoiledCase, ::testing::ValuesIn(table),
                          [](const auto& spoiled) { return spoiled.param.name; });
+
+TEST(CaseRules, ProbesMayHaveNamesThatOnlyTheOtherSolverHas) {
+  const CaseText text;
+  for (const char* name : {"front", "kinetic_energy", "lost_x_min"})
+    EXPECT_EQ(errors_of(text.file(), {fmt::format("output.probe.0.name={}", name)}), "") << name;
+  EXPECT_EQ(errors_of(text.file(), {"output.probe.1.name=elastic_energy"}), "");
+  // A force "load" makes load_x and load_y; so does a pressure of that name.
+  const std::vector<std::string> two = {
+      "output.probe=[{ name = \"load\", quantity = \"force\", position = [0.12, 0.05] }, "
+      "{ name = \"load_y\", quantity = \"pressure\", position = [0.1, 0.05] }]"};
+  EXPECT_THAT(errors_of(text.file(), two),
+              HasSubstr("makes the column load_y, which output.probe.0 (\"load\")"));
+}
+
+TEST(CaseRules, ProbesOffABodyByARoundingAreMovedOntoIt) {
+  const CaseText text;
+  const v1::Case c = load_case(
+      text.file(), {"output.probe.0.position=[0.14003, 0.05]", "output.probe.1.position=[0.0999999, 0.05]"});
+  EXPECT_EQ(c.output().probe(0).position(0), 0.14);
+  EXPECT_EQ(c.output().probe(1).position(0), 0.1);
+  // Pressure farther off is the water's.
+  EXPECT_EQ(load_case(text.file(), {"output.probe.1.position=[0.097, 0.05]"}).output().probe(1).position(0),
+            0.097);
+}
 
 TEST(CaseRules, TheGoodCaseOfTheTableIsGood) { EXPECT_EQ(errors_of(CaseText().file()), ""); }
 

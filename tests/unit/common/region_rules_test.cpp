@@ -85,6 +85,16 @@ TEST(RegionRules, WaterNeedsAParticleThatNothingElseTakes) {
   EXPECT_THAT(errors_of(text.file()), HasSubstr("fluid.water.1: holds no particle of water"));
 }
 
+TEST(RegionRules, AClampInTheTankNeedsAnObstacleAroundIt) {
+  const CaseText text("clamp = [{ min = [0.1, -0.02], max = [0.14, 0.0] }]",
+                      "clamp = [{ min = [0.1, 0.1], max = [0.14, 0.14] }]");
+  EXPECT_THAT(errors_of(text.file()),
+              HasSubstr("solid.body.0.clamp.0: lies in fluid.tank, where water would flow"));
+  EXPECT_EQ(errors_of(text.file(), {"fluid.obstacle=[{ shape = { min = [0.1, 0.1], max = [0.14, 0.14] } }]",
+                                    "output.probe.0.position=[0.1, 0.05]"}),
+            "");
+}
+
 TEST(RegionRules, SizesAreEstimatedBeforeAnythingIsFilled) {
   // Each side is within 1e5 spacings, all of them together are not.
   const CaseText text;

@@ -4,6 +4,7 @@
 
 #include "common/error.hpp"
 #include "common/state_bytes.hpp"
+#include "fluid_solver/snap_to_face.hpp"
 #include "tests/support/water.hpp"
 
 namespace cosurge::fluid {
@@ -72,6 +73,33 @@ TEST(LevelGauge, IsTheFloorWhereThereIsNoWater) {
       test::tank_of_water(l0, test::box_of({0, 0}, {0.3, 0.3}), {test::box_of({0, 0}, {0.1, 0.1})}), nullptr,
       {0, -9.81});
   EXPECT_EQ(level_at<2>(mps, {0.2, 0}, 0, l0), 0);
+}
+
+TEST(SnapToFace, FindsTheNearestPointOfTheWetFaces) {
+  // A plate of 4 x 8 sites on the floor: its left, right and upper faces are wet.
+  const Bodies<2> bodies(test::solid_of(test::box_of({0.1, 0}, {0.14, 0.08})), Box<2>({0, 0}, {0.3, 0.3}),
+                         l0);
+  const Interface interface = bodies.interface();
+  const auto snapped = [&](const Vec<2>& x) { return snap_to_face<2>("p", x, interface, l0); };
+  const std::vector<std::pair<Vec<2>, Vec<2>>> points = {
+      {{0.1, 0.033}, {0.1, 0.033}},    // on a face
+      {{0.104, 0.033}, {0.1, 0.033}},  // behind it
+      {{0.092, 0.033}, {0.1, 0.033}},  // before it
+      {{0.12, 0.077}, {0.12, 0.08}},  {{0.145, 0.084}, {0.14, 0.08}}, {{0.103, -0.004}, {0.1, 0}}};
+  for (const auto& [x, face] : points) EXPECT_LT((snapped(x) - face).norm(), 1e-12) << x.transpose();
+}
+
+TEST(SnapToFace, NamesTheNearestFaceWhereItIsFartherThanASpacing) {
+  const Bodies<2> bodies(test::solid_of(test::box_of({0.1, 0}, {0.14, 0.08})), Box<2>({0, 0}, {0.3, 0.3}),
+                         l0);
+  try {
+    snap_to_face<2>("middle", {0.118, 0.04}, bodies.interface(), l0);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(),
+                 "output.probe middle: the nearest wet face of a body is 0.018 m away, at (0.1, 0.04), and a "
+                 "spacing is 0.01 m: move the probe there");
+  }
 }
 
 TEST(SurfacePressureProbe, InterpolatesAlongTheFaceAndSeesNoOther) {

@@ -185,6 +185,70 @@ TEST(Walls, WaterGivesWayToAnObstacle) {
   EXPECT_EQ(water, 20 * 10 - 6 * 5);
 }
 
+/// The tank with obstacles between these corners.
+v1::Fluid tank_with_obstacles(const std::vector<std::array<double, 4>>& boxes) {
+  v1::Fluid fluid =
+      test::tank_of_water(l0, test::box_of({0, 0}, {0.3, 0.3}), {test::box_of({0, 0}, {0.1, 0.1})});
+  for (const auto& [x0, y0, x1, y1] : boxes) {
+    v1::Shape& shape = *fluid.add_obstacle()->mutable_shape();
+    for (const double x : {x0, y0}) shape.add_min(x);
+    for (const double x : {x1, y1}) shape.add_max(x);
+  }
+  return fluid;
+}
+
+/// Walls and dummies, no two of them in one place.
+int distinct_sites(const v1::Fluid& fluid) {
+  Particles<2> particles;
+  Walls<2>(fluid, 3).add_to(particles);
+  std::map<std::pair<long, long>, int> sites;
+  for (const Vec<2>& x : particles.x) ++sites[{std::lround(x[0] / l0 * 2), std::lround(x[1] / l0 * 2)}];
+  EXPECT_EQ(sites.size(), particles.x.size());
+  return static_cast<int>(sites.size());
+}
+
+TEST(Walls, OfOnePlaceCountOnce) {
+  const int tank = distinct_sites(tank_with_obstacles({}));
+  EXPECT_EQ(tank, 38 * 34 - 30 * 30);
+  struct Overlap {
+    std::vector<std::array<double, 4>> boxes;
+    int more;  // sites than the tank's own
+  };
+  const std::vector<Overlap> overlaps = {
+      {{{0.1, 0, 0.2, 0.05}}, 10 * 5},                               // on the floor
+      {{{0.1, -0.04, 0.2, 0.05}}, 10 * 5},                           // as deep as the floor
+      {{{0.1, -0.02, 0.2, 0.05}}, 10 * 5},                           // less deep
+      {{{0.1, -0.3, 0.2, 0.05}}, 10 * 5},                            // deeper
+      {{{-0.04, -0.04, 0.05, 0.05}}, 5 * 5},                         // in a corner
+      {{{-0.3, -0.3, 0.6, 0.05}}, 30 * 5},                           // a whole bottom
+      {{{0.1, 0.2, 0.2, 0.4}}, 10 * 20},                             // out of the top
+      {{{0.28, 0.2, 0.34, 0.4}}, 2 * 20 + 4 * 10},                   // onto the rim of a side wall
+      {{{0.1, 0, 0.2, 0.05}, {0.15, 0, 0.25, 0.1}}, 50 + 100 - 25},  // each other
+      {{{0.1, 0, 0.2, 0.05}, {0.1, 0, 0.2, 0.05}}, 50},              // the same twice
+  };
+  for (std::size_t k = 0; k < overlaps.size(); ++k)
+    EXPECT_EQ(distinct_sites(tank_with_obstacles(overlaps[k].boxes)) - tank, overlaps[k].more) << k;
+}
+
+TEST(Walls, WhatOfAMovingObstacleLiesInTheFloorStaysThere) {
+  v1::Fluid fluid = tank_with_obstacles({{0.1, -0.04, 0.2, 0.05}});
+  *fluid.mutable_obstacle(0)->mutable_motion() = table_of_x({{0, 0}, {1, 0.05}});
+  Walls<2> walls(fluid, 3);
+  Particles<2> particles;
+  walls.add_to(particles);
+  const std::vector<Vec<2>> before = particles.x;
+  walls.move(particles, 1, 0.01);
+  int moved = 0;
+  for (std::size_t i = 0; i < before.size(); ++i) moved += particles.x[i] != before[i] ? 1 : 0;
+  EXPECT_EQ(moved, 10 * 5);
+}
+
+TEST(Walls, WaterRestsBesideAnObstacleInTheFloor) {
+  const v1::Fluid fluid = tank_with_obstacles({{0.1, -0.3, 0.16, 0.2}, {0.12, -0.04, 0.3, 0.1}});
+  Mps<2> mps(fluid, nullptr, {0, -9.81});
+  for (int step = 0; step < 20; ++step) EXPECT_NO_THROW(mps.step(1e-3 * step, 1e-3, 1));
+}
+
 TEST(Walls, MoveAsTheyAreToldWithTheirMeanVelocity) {
   const v1::WallMotion motion = formula();
   Walls<2> walls(tank_with_obstacle(&motion), 3);

@@ -1,0 +1,53 @@
+// Water that has left the tank: how much, and over which side.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "common/participant.hpp"
+#include "common/state_bytes.hpp"
+#include "fluid_solver/motion.hpp"
+#include "fluid_solver/particles.hpp"
+
+namespace cosurge::fluid {
+
+template <int dim>
+class LostWater {
+ public:
+  /// `particles`: those of the start.
+  LostWater(const v1::Fluid& fluid, const Particles<dim>& particles);
+
+  /// Remembers where the water is, before a step.
+  void before_step(const Particles<dim>& particles);
+
+  /// Counts what the step that ended at time `t` [s] has lost, each particle at the side of the tank, which
+  /// moves, where it was before: over or through a side wall, through the floor, or out of the top.
+  /// @throws NumericalError where more than fluid.most_lost of the water is gone.
+  void after_step(const Particles<dim>& particles, double t);
+
+  /// "lost_x_min", ...: particles lost at each side so far. "water": particles that are left.
+  static std::vector<Column> columns();
+  std::vector<double> values() const;
+
+  void save(StateWriter& state) const;
+  void restore(StateReader& state);
+
+ private:
+  static constexpr std::size_t sides = 2 * dim;
+
+  static std::string side_name(std::size_t side);
+  std::size_t side_of(const Vec<dim>& x, double t) const;
+  double lost() const;
+  std::string where() const;
+
+  Box<dim> tank_;
+  Motion<dim> motion_;
+  double most_lost_;
+  double water_;                      // particles at the start
+  std::array<double, sides> lost_{};  // smaller, then larger side of each axis
+  std::vector<Vec<dim>> place_;       // of the particles before the step, by id
+  std::vector<char> here_;            // whether this one is water that was there
+};
+
+}  // namespace cosurge::fluid
