@@ -1,10 +1,24 @@
 #include "coupler/coupler.hpp"
 
 #include <algorithm>
+#include <set>
 
+#include "common/error.hpp"
 #include "common/state_bytes.hpp"
 
 namespace cosurge {
+namespace {
+
+/// Two histories of one name have no place in the results.
+void require_different(const std::vector<Column>& columns, const std::string& solver) {
+  std::set<std::string> names;
+  for (const Column& column : columns)
+    require(names.insert(column.name).second,
+            "the {} solver has two columns called {}: where one is a probe's, rename the probe", solver,
+            column.name);
+}
+
+}  // namespace
 
 Coupler::Coupler(const v1::Case& the_case, Participants participants)
     : case_(the_case),
@@ -20,6 +34,7 @@ Coupler::Coupler(const v1::Case& the_case, Participants participants)
        {std::pair{"fluid", participants.fluid}, {"solid", participants.solid}}) {
     if (participant == nullptr) continue;
     const Setup setup = participant->initialize(case_, interface_, surface_);
+    require_different(setup.columns, name);
     members_.push_back({.name = name, .identity = participant->identity(), .setup = setup});
     largest_ = std::min(largest_, setup.window);
   }

@@ -24,8 +24,9 @@ RunFolder::RunFolder() {
   std::filesystem::path parent = std::filesystem::temp_directory_path();
   if (parent.native().size() > longest) parent = "/tmp";
   std::string name = (parent / "cosurge-XXXXXX").string();
-  require(::mkdtemp(name.data()) != nullptr, "cannot make a folder in {}: {}", parent.string(),
-          std::strerror(errno));
+  const bool made = ::mkdtemp(name.data()) != nullptr;
+  const int error = made ? 0 : errno;
+  require(made, "cannot make a folder in {}: {}", parent.string(), std::strerror(error));
   path_ = name;
 }
 

@@ -1,11 +1,15 @@
 // cosurge: launches the solvers of a case, couples them, records what they do.
+#include <fmt/ranges.h>
+
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 
 #include "common/threads.hpp"
 #include "common/version.hpp"
 #include "coupler/certify_command.hpp"
 #include "coupler/check_command.hpp"
+#include "coupler/csv_command.hpp"
 #include "coupler/map_command.hpp"
 #include "coupler/run_command.hpp"
 #include "coupler/selftest_command.hpp"
@@ -43,6 +47,38 @@ void add_solvers(CLI::App& command, cosurge::RunOptions& options) {
   command.add_option("--patience", options.patience, "Longest wait for a solver's answer [s]")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
+}
+
+/// Letters to insert, leave out, change or swap with the next to make one word of the other (Damerau 1964).
+std::size_t difference(const std::string& a, const std::string& b) {
+  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i) {
+    for (std::size_t j = 0; j <= b.size(); ++j) {
+      if (i == 0 || j == 0) {
+        d[i][j] = i + j;
+        continue;
+      }
+      const std::size_t change = a[i - 1] == b[j - 1] ? 0 : 1;
+      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + change});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+    }
+  }
+  return d[a.size()][b.size()];
+}
+
+/// What to say of a word in the place of a command that is none; empty where it is one.
+std::string unknown_command(const CLI::App& app, const std::string& word) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  if (std::find(names.begin(), names.end(), word) != names.end()) return "";
+  const auto nearest = std::min_element(names.begin(), names.end(), [&](const auto& a, const auto& b) {
+    return difference(word, a) < difference(word, b);
+  });
+  const bool near = difference(word, *nearest) <= std::max<std::size_t>(1, nearest->size() / 3);
+  return fmt::format("cosurge {}: no such command{}. There are {}; cosurge COMMAND --help explains one", word,
+                     near ? fmt::format(", did you mean cosurge {}?", *nearest) : "", fmt::join(names, ", "));
 }
 
 }  // namespace
@@ -99,11 +135,25 @@ int main(int argc, char** argv) {
   map_app
       ->add_option(
           "--over", map.over,
-          "An axis of the grid: key.path=value,value,...; key/key=value/value,... changes keys together")
+          "An axis of the grid: key.path=value,value,...; key/key=value/value,... changes keys together; "
+          "a vector is one value: gravity=[0,-9.81],[0,-1.62]")
       ->required()
       ->take_all();
   map_app->add_option("--out", map.out, "The table, CSV; a map that was interrupted goes on")->required();
   map_app->add_option("--cores", map.cores, "Runs at a time; 0: one a core")->check(CLI::Range(0, 1024));
+  cosurge::CsvOptions csv;
+  CLI::App* csv_app = app.add_subcommand("csv", "Write the histories of a run as a table, with units");
+  csv_app->add_option("results", csv.results, "Folder of the results, or its results.h5")->required();
+  csv_app->add_option("--columns", csv.columns, "Histories to write (fluid/front solid/tip_x); default: all")
+      ->take_all();
+  csv_app->add_option("--out", csv.out, "The table (default: standard output)");
+
+  if (argc > 1 && argv[1][0] != '-') {
+    if (const std::string wrong = unknown_command(app, argv[1]); !wrong.empty()) {
+      std::cerr << wrong << '\n';
+      return 2;
+    }
+  }
   for (int k = 1; k < argc; ++k) map.note += (k > 1 ? " " : "cosurge ") + std::string(argv[k]);
 
   try {
@@ -118,8 +168,9 @@ int main(int argc, char** argv) {
       certify.role = role == "fluid" ? cosurge::Role::fluid : cosurge::Role::solid;
       return cosurge::certify_command(certify);
     }
-    if (*map_app) {
-      cosurge::map_command(map);
+    if (*map_app) return cosurge::map_command(map);
+    if (*csv_app) {
+      cosurge::csv_command(csv);
       return 0;
     }
     if (*resume_app) return cosurge::resume_command(resume);

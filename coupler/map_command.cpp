@@ -33,10 +33,21 @@ struct Axis {
   std::vector<std::string> values;
 };
 
+/// Parts between the characters `at` that are not within brackets or quotes: a vector is one value.
 std::vector<std::string> split(const std::string& text, char at) {
-  std::vector<std::string> parts;
-  std::istringstream stream(text);
-  for (std::string part; std::getline(stream, part, at);) parts.push_back(part);
+  std::vector<std::string> parts(1);
+  int depth = 0;
+  bool quoted = false;
+  for (const char c : text) {
+    if (c == '"') quoted = !quoted;
+    if (!quoted && (c == '[' || c == '{')) ++depth;
+    if (!quoted && (c == ']' || c == '}')) --depth;
+    if (c == at && depth == 0 && !quoted)
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  }
+  if (parts.back().empty()) parts.pop_back();
   return parts;
 }
 
@@ -85,6 +96,17 @@ std::string quoted(std::string text) {
   return '"' + text + '"';
 }
 
+/// The values of a cell as they stand in the table: in quotes where they hold commas.
+std::string row_of(const std::vector<std::string>& cell) {
+  std::vector<std::string> values;
+  for (const std::string& value : cell)
+    values.push_back(value.find(',') == std::string::npos ? value : quoted(value));
+  return fmt::format("{}", fmt::join(values, ","));
+}
+
+/// Whether a cell was computed to some end: neither refused nor blown up.
+bool has_run(const std::string& row) { return !row.starts_with("refused") && !row.starts_with("blown_up"); }
+
 /// The row of a cell behind its values.
 std::string run_cell(const MapOptions& options, const std::vector<std::string>& settings) {
   std::vector<std::string> overrides = options.overrides;
@@ -116,7 +138,7 @@ std::string run_cell(const MapOptions& options, const std::vector<std::string>& 
 
 }  // namespace
 
-void map_command(const MapOptions& options) {
+int map_command(const MapOptions& options) {
   std::vector<Axis> axes;
   for (const std::string& text : options.over) axes.push_back(read_axis(text));
   std::vector<std::string> keys;
@@ -172,14 +194,19 @@ void map_command(const MapOptions& options) {
     _exit(status);
   }
   std::string table = fmt::format("# {}\n{}\n", options.note, head);
+  std::size_t failed = 0;
   for (std::size_t k = 0; k < grid.size(); ++k) {
     std::ifstream file(part(k));
     std::string row;
     std::getline(file, row);
-    table += fmt::format("{},{}\n", fmt::join(grid[k], ","), row);
+    failed += has_run(row) ? 0 : 1;
+    table += fmt::format("{},{}\n", row_of(grid[k]), row);
   }
   replace_file(options.out, {table});
   fs::remove_all(parts);
+  if (failed == grid.size())
+    fmt::print("every cell failed; the reasons are the last column of {}\n", options.out);
+  return failed == grid.size() ? 1 : 0;
 }
 
 }  // namespace cosurge

@@ -9,8 +9,9 @@ namespace cosurge {
 struct MapOptions {
   std::string case_path;
   std::vector<std::string> overrides;
-  std::vector<std::string>
-      over;          ///< "key.path=a,b,c": an axis; "key/key=a/b,c/d" changes several keys together
+  /// "key.path=a,b,c": an axis; "key/key=a/b,c/d" changes several keys together; a vector is one value:
+  /// "gravity=[0,-9.81],[0,-1.62]"
+  std::vector<std::string> over;
   std::string out;   ///< the table, CSV; cells that it has already are not run again
   std::string note;  ///< command that makes it, the table's first line
   int cores = 0;     ///< runs at a time; 0: as many as the machine has
@@ -32,7 +33,8 @@ struct MapOptions {
 ///   peak_time      [s]
 ///   seconds        processor time
 ///   reason         of what did not end
+/// Returns 0, or 1 where every cell was refused or has blown up.
 /// @throws Error for a wrong axis, and where the table cannot be written or is of another grid.
-void map_command(const MapOptions& options);
+int map_command(const MapOptions& options);
 
 }  // namespace cosurge

@@ -24,6 +24,9 @@ std::string as_json(const v1::Case& the_case) {
   return json;
 }
 
+constexpr std::size_t few_frames = 100;  // up to which the XDMF file is so short that it is always written
+constexpr int rest = 50;  // times as long as writing the XDMF takes passes before it is written again: 2 %
+
 std::string without_prefix(const std::string& name, const std::string& owner) {
   return name.starts_with(owner + "_") ? name.substr(owner.size() + 1) : name;
 }
@@ -97,12 +100,22 @@ void Recorder::frame(double time, const std::vector<Snapshot>& snapshots) {
   file_.append("/frames/time", std::span(&time, 1));
   frame_times_.push_back(time);
   file_.flush();
-  replace_file(folder_ / xdmf_name, {xdmf(results_name, frame_times_, clouds_)});
+  xdmf_waits_ = true;
+  if (frame_times_.size() <= few_frames || Clock::now() - xdmf_end_ > rest * xdmf_cost_) write_xdmf();
 }
 
 void Recorder::flush() {
   write_waiting();
   file_.flush();
+  if (xdmf_waits_) write_xdmf();
+}
+
+void Recorder::write_xdmf() {
+  const auto begin = Clock::now();
+  replace_file(folder_ / xdmf_name, {xdmf(results_name, frame_times_, clouds_)});
+  xdmf_end_ = Clock::now();
+  xdmf_cost_ = xdmf_end_ - begin;
+  xdmf_waits_ = false;
 }
 
 void Recorder::write_waiting() {

@@ -41,8 +41,10 @@ class Recorder : public Observer {
   /// The same with one value a history, in their order.
   void row(const std::vector<double>& values);
 
-  /// One frame, in the order of the members; afterwards all that was recorded is on disk.
-  /// An array's name loses the member's name in front: "solid_position" is /frames/solid/position.
+  /// One frame, in the order of the members; afterwards all that was recorded is on disk. The XDMF file,
+  /// which is as long as there are frames and is written as a whole, follows so that it takes a fiftieth of
+  /// the time at most: at once where frames are few or rare, and at flush(). An array's name loses the
+  /// member's name in front: "solid_position" is /frames/solid/position.
   void frame(double time, const std::vector<Snapshot>& snapshots) override;
 
   void flush();
@@ -60,6 +62,9 @@ class Recorder : public Observer {
  private:
   void describe();
   void write_waiting();
+  void write_xdmf();
+
+  using Clock = std::chrono::steady_clock;
 
   std::filesystem::path folder_;
   v1::Case case_;
@@ -68,6 +73,9 @@ class Recorder : public Observer {
   std::vector<History> histories_;  // time, window, then in the order of reports and coupling values
   std::vector<double> frame_times_;
   std::vector<XdmfCloud> clouds_;
+  Clock::time_point xdmf_end_;   // of the last writing
+  Clock::duration xdmf_cost_{};  // of it
+  bool xdmf_waits_ = false;
   std::uint64_t windows_ = 0;
   double time_ = 0;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

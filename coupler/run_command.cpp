@@ -1,7 +1,5 @@
 #include "coupler/run_command.hpp"
 
-#include <atomic>
-#include <csignal>
 #include <filesystem>
 #include <iterator>
 #include <optional>
@@ -11,9 +9,13 @@
 #include "common/case_file.hpp"
 #include "common/solvers.hpp"
 #include "coupler/checkpoint.hpp"
+#include "coupler/interruption.hpp"
 #include "coupler/launcher.hpp"
+#include "coupler/lost_water.hpp"
 #include "coupler/progress.hpp"
 #include "coupler/recorder.hpp"
+#include "coupler/result_folder.hpp"
+#include "coupler/say.hpp"
 #include "coupler/summary.hpp"
 
 namespace cosurge {
@@ -25,31 +27,8 @@ constexpr int exit_failed = 1;
 constexpr int exit_interrupted = 130;
 constexpr std::chrono::seconds grace{2};  // for solvers to end by themselves
 
-std::atomic<bool> interrupted = false;
-
-void interrupt(int) { interrupted = true; }
-
 std::optional<std::string> why_cancelled() {
-  return interrupted ? std::optional<std::string>("the run was interrupted") : std::nullopt;
-}
-
-/// Creates the folder of the results: the one asked for, which must not hold any, or the next free
-/// results/NAME.
-fs::path make_folder(const RunOptions& options) {
-  fs::path folder = options.out;
-  if (folder.empty()) {
-    fs::path path = fs::path(options.case_path).lexically_normal();
-    if (path.filename().empty()) path = path.parent_path();
-    const fs::path name =
-        fs::is_directory(path) ? fs::absolute(path).filename() : fs::absolute(path).parent_path().filename();
-    folder = fs::path("results") / name;
-    for (int number = 2; fs::exists(folder); ++number)
-      folder = fs::path("results") / fmt::format("{}-{}", name.string(), number);
-  }
-  require(!fs::exists(folder / "results.h5"), "{}: holds results already; choose another --out",
-          folder.string());
-  fs::create_directories(folder);
-  return folder;
+  return interrupted() ? std::optional<std::string>("the run was interrupted") : std::nullopt;
 }
 
 /// The endpoint where a solver that is started by hand is awaited; nothing where it is not.
@@ -74,8 +53,7 @@ Solver start(const RunOptions& options, Role role, const fs::path& sockets, cons
   const Wiring wiring{.folder = sockets, .listen = endpoint.value_or(""), .patience = options.patience};
   if (endpoint) {
     Solver solver = Solver::by_hand(role, wiring, program);
-    fmt::print("start the {} solver:\n  {}\n", name, solver.how_to_start());
-    std::fflush(stdout);
+    say("start the {} solver:\n  {}\n", name, solver.how_to_start());
     return solver;
   }
   Command command{
@@ -144,13 +122,12 @@ int run_with(Solvers& solvers, const v1::Case& the_case, const fs::path& folder,
              const Checkpoint* checkpoint) {
   Coupler coupler(the_case, solvers.participants());
   if (checkpoint != nullptr) coupler.restore(checkpoint->state);
-  fmt::print("{}\n", the_case.title());
+  say("{}\n", the_case.title());
   for (const Member& member : coupler.members())
-    fmt::print("  {}: {} {}, {} particles\n", member.name, member.identity.program, member.identity.version,
-               member.setup.particles);
-  fmt::print("  results: {}\n", (folder / Recorder::results_name).string());
-  if (checkpoint != nullptr) fmt::print("  resumed at t = {:.6g} s\n", checkpoint->time);
-  std::fflush(stdout);
+    say("  {}: {} {}, {} particles\n", member.name, member.identity.program, member.identity.version,
+        member.setup.particles);
+  say("  results: {}\n", (folder / Recorder::results_name).string());
+  if (checkpoint != nullptr) say("  resumed at t = {:.6g} s\n", checkpoint->time);
 
   const auto recorder = make_recorder(folder, the_case, coupler, checkpoint);
   CheckpointWriter checkpoints(folder, the_case, coupler);
@@ -158,9 +135,10 @@ int run_with(Solvers& solvers, const v1::Case& the_case, const fs::path& folder,
   int exit_status = 0;
   try {
     Progress progress(the_case, coupler.members(), coupler.columns(), stdout);
-    if (!coupler.run({recorder.get(), &checkpoints, &progress}, [] { return interrupted.load(); })) {
+    if (!coupler.run({recorder.get(), &checkpoints, &progress}, interrupted)) {
       outcome = {.status = "interrupted",
-                 .reason = fmt::format("by a signal at t = {:.6g} s", coupler.time())};
+                 .reason = fmt::format("by {} at t = {:.6g} s", interruption().value_or("a signal"),
+                                       coupler.time())};
       exit_status = exit_interrupted;
       recorder->flush();
       checkpoints.write();
@@ -173,33 +151,32 @@ int run_with(Solvers& solvers, const v1::Case& the_case, const fs::path& folder,
   solvers.stop(outcome.status == "finished" ? "the run is over" : outcome.reason);
   recorder->flush();
   write_summary(folder, *recorder, outcome);
-  fmt::print("{} at t = {:.6g} s after {} windows{}{}\n", outcome.status, coupler.time(), coupler.windows(),
-             outcome.reason.empty() ? "" : ": ", outcome.reason);
-  for (const std::string& note : coupler.notes()) fmt::print("{}\n", note);
+  say("{} at t = {:.6g} s after {} windows{}{}\n", outcome.status, coupler.time(), coupler.windows(),
+      outcome.reason.empty() ? "" : ": ", outcome.reason);
+  for (const std::string& note : coupler.notes()) say("{}\n", note);
+  if (const std::string lost = lost_water(*recorder); !lost.empty()) say("{}\n", lost);
   if (coupler.unconverged() > 0)
-    fmt::print("{} of {} windows did not converge in {} iterations: the nearest one counts\n",
-               coupler.unconverged(), coupler.windows(), the_case.coupling().iteration().limit());
+    say("{} of {} windows did not converge in {} iterations: the nearest one counts\n", coupler.unconverged(),
+        coupler.windows(), the_case.coupling().iteration().limit());
   if (const InterfaceAccount& account = coupler.account();
       account.created() > InterfaceAccount::much * account.passed())
-    fmt::print(
-        "not to be trusted: the coupling scheme itself has put {:.2g} J into the system, where {:.2g} J have "
+    say("not to be trusted: the coupling scheme itself has put {:.2g} J into the system, where {:.2g} J have "
         "passed; take coupling.scheme = \"strong\" or what docs/stability.md has instead\n",
         account.created(), account.passed());
-  if (exit_status != 0) fmt::print("to go on: cosurge resume {}\n", folder.string());
+  if (exit_status != 0) say("to go on: cosurge resume {}\n", folder.string());
   return exit_status;
 }
 
 /// Starts the solvers and runs, from the beginning or from a checkpoint.
 int launch(const RunOptions& options, const v1::Case& the_case, const fs::path& folder,
            const Checkpoint* checkpoint) {
-  std::signal(SIGINT, interrupt);
-  std::signal(SIGTERM, interrupt);
+  note_interruptions();
   try {
     Solvers solvers(options, the_case, folder);
     return run_with(solvers, the_case, folder, checkpoint);
   } catch (const std::exception&) {
-    if (!interrupted) throw;
-    fmt::print("interrupted before the run began\n");
+    if (!interrupted()) throw;
+    say("interrupted before the run began\n");
     return exit_interrupted;
   }
 }
@@ -208,7 +185,7 @@ int launch(const RunOptions& options, const v1::Case& the_case, const fs::path& 
 
 int run_command(const RunOptions& options) {
   const v1::Case the_case = load_case(options.case_path, options.overrides);
-  return launch(options, the_case, make_folder(options), nullptr);
+  return launch(options, the_case, take_folder(options.case_path, options.out), nullptr);
 }
 
 int resume_command(const RunOptions& options) {

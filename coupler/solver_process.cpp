@@ -57,7 +57,8 @@ struct Start {
 [[noreturn]] void become(const Start& start) {
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (getppid() != start.parent) _exit(1);  // it died before the line above
-  signal(SIGINT, SIG_IGN);
+  // Signals to the terminal's whole group: the coupler ends the solvers in order.
+  for (const int number : {SIGINT, SIGHUP, SIGUSR1, SIGUSR2}) signal(number, SIG_IGN);
   dup2(start.input, STDIN_FILENO);
   dup2(start.log, STDOUT_FILENO);
   dup2(start.log, STDERR_FILENO);
@@ -66,6 +67,11 @@ struct Start {
   const int error = errno;
   const auto written = write(start.report, &error, sizeof error);
   _exit(written < 0 ? 2 : 1);
+}
+
+/// Of a system call that came before: `error` is what it has left in errno.
+void require_call(bool ok, int error, const std::string& subject, const char* what) {
+  require(ok, "{}: {}: {}", subject, what, std::strerror(error));
 }
 
 /// The last line of a log, where it has one.
@@ -91,10 +97,13 @@ SolverProcess::SolverProcess(const Command& command) : log_(command.log) {
   std::vector<char*> arguments = pointers(words);
   std::vector<char*> environment = pointers(settings);
   const int log = open(command.log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  require(log >= 0, "{}: cannot write: {}", command.log.string(), std::strerror(errno));
-  const int input = open("/dev/null", O_RDONLY | O_CLOEXEC);
+  require_call(log >= 0, errno, command.log.native(), "cannot be written");
+  const std::string nothing = "/dev/null";
+  const int input = open(nothing.c_str(), O_RDONLY | O_CLOEXEC);
+  require_call(input >= 0, errno, nothing, "cannot be read");
   std::array<int, 2> report{};
-  require(pipe2(report.data(), O_CLOEXEC) == 0, "cannot make a pipe: {}", std::strerror(errno));
+  const bool piped = pipe2(report.data(), O_CLOEXEC) == 0;
+  require_call(piped, errno, words[0], "cannot be started: no pipe");
   const Start start{words[0].c_str(), arguments.data(), environment.data(), input, log, report[1], getpid()};
 
   pid_ = fork();

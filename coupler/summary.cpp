@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "common/probe_columns.hpp"
 #include "common/version.hpp"
 #include "coupler/replace_file.hpp"
 
@@ -31,12 +32,11 @@ Json extremes(const History& history) {
 /// A probe of a vector has a history for each direction.
 Json probes(const Recorder& recorder) {
   Json probes = Json::object();
-  const auto add = [&](const std::string& group, const std::string& column) {
-    if (const History* history = recorder.history(group + "/" + column)) probes[column] = extremes(*history);
-  };
-  for (const v1::Probe& probe : recorder.the_case().output().probe())
-    for (const char* group : {"fluid", "solid"})
-      for (const char* direction : {"", "_x", "_y", "_z"}) add(group, probe.name() + direction);
+  const v1::Case& the_case = recorder.the_case();
+  for (const v1::Probe& probe : the_case.output().probe())
+    for (const std::string& column : probe_columns(probe, the_case.dimension()))
+      if (const History* history = recorder.history(probe_group(probe) + "/" + column))
+        probes[column] = extremes(*history);
   return probes;
 }
 

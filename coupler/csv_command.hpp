@@ -1,0 +1,20 @@
+// cosurge csv: the histories of a run as a table for spreadsheets.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace cosurge {
+
+struct CsvOptions {
+  std::string results;               ///< folder of the results, or its results.h5
+  std::vector<std::string> columns;  ///< "fluid/front", "solid/tip_x"; empty: all
+  std::string out;                   ///< the table; empty: standard output
+};
+
+/// Writes one row a window: the time, its length and the histories, parted by commas, with a header of names
+/// and units ("fluid/front [m]"). Numbers have all their digits. Works while the run goes on.
+/// @throws Error where there are no results, no such column, or the table exists or cannot be written.
+void csv_command(const CsvOptions& options);
+
+}  // namespace cosurge

@@ -1,0 +1,247 @@
+// The program in the ways in which people use it: from any folder, several at a time, in pipes, in queues.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "common/probe_columns.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/results.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace cosurge::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+const std::string cosurge_program = fs::path(COSURGE_PROGRAMS) / "cosurge";
+constexpr double patience = 900;  // s: with sanitizers, on a busy machine; ten is enough on an idle one
+
+/// A tank of 0.4 x 0.4 m with 200 particles of water, for a moment.
+constexpr const char* small_tank = R"(title = "small"
+gravity = [0.0, -9.81]
+[time]
+end = 0.02
+window = 1.0e-3
+[output]
+frame_interval = 0.01
+[fluid]
+spacing = 0.01
+tank = { min = [0.0, 0.0], max = [0.4, 0.4] }
+water = [{ min = [0.0, 0.0], max = [0.1, 0.2] }]
+)";
+
+constexpr const char* forever = "--set time.end=1000 output.frame_interval=0.05";
+
+class WaysOfUse : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    fs::create_directories(scratch_.path() / "scene");
+    write_case(small_tank);
+  }
+
+  void write_case(const std::string& text) { std::ofstream(scene() / "case.toml") << text; }
+
+  fs::path scene() const { return scratch_.path() / "scene"; }
+
+  /// Starts a command line in a folder, with a folder of its own for what is temporary.
+  Program start(const std::string& line, const fs::path& where, const std::string& name = "out") {
+    fs::create_directories(temporary());
+    return Program({"/bin/bash", "-c",
+                    fmt::format("cd {}; export TMPDIR={}; {}", where.string(), temporary().string(), line)},
+                   scratch_.path() / (name + ".log"));
+  }
+
+  /// Runs it to its end; the output.
+  std::string run(const std::string& line, const fs::path& where, int status = 0) {
+    Program program = start(line, where);
+    EXPECT_EQ(program.wait(patience), status) << program.output();
+    return program.output();
+  }
+
+  std::string cosurge(const std::string& arguments) const { return cosurge_program + " " + arguments; }
+  fs::path temporary() const { return scratch_.path() / "t"; }
+
+  ScratchFolder scratch_;
+};
+
+TEST_F(WaysOfUse, ARunInTheFolderOfItsCaseIsNamedAfterIt) {
+  for (int k = 0; k < 2; ++k) run(cosurge("run . --in-process"), scene());
+  EXPECT_TRUE(fs::exists(scene() / "results/scene/results.h5"));
+  EXPECT_TRUE(fs::exists(scene() / "results/scene-2/results.h5"));
+  fs::create_directories(scene() / "sub");
+  run(cosurge("run .. --in-process"), scene() / "sub");
+  run(cosurge("run ../ --in-process"), scene() / "sub");
+  run(cosurge("run ../case.toml --in-process"), scene() / "sub");
+  for (const char* name : {"scene", "scene-2", "scene-3"})
+    EXPECT_TRUE(fs::exists(scene() / "sub/results" / name / "results.h5")) << name;
+  EXPECT_FALSE(fs::exists(scene() / "sub/results.h5"));
+}
+
+TEST_F(WaysOfUse, RunsThatStartTogetherTakeDifferentFolders) {
+  std::string all;
+  for (int k = 0; k < 6; ++k) all += cosurge("run scene --in-process --threads 1 & ");
+  run(all + "wait", scratch_.path());
+  int results = 0;
+  for (const auto& entry : fs::directory_iterator(scratch_.path() / "results"))
+    results += fs::exists(entry.path() / "summary.json") ? 1 : 0;
+  EXPECT_EQ(results, 6);
+  // The same folder by name: one of them gets it.
+  const std::string one = cosurge("run scene --in-process --threads 1 --out same");
+  const std::string output = run(fmt::format("{0} & {0} & {0} & wait", one), scratch_.path());
+  EXPECT_THAT(output, HasSubstr("holds results already"));
+  EXPECT_TRUE(fs::exists(scratch_.path() / "same/summary.json"));
+}
+
+TEST_F(WaysOfUse, SignalsThatAreMeantToEndARunLeaveASummaryAndNothingTemporary) {
+  for (const int signal : {SIGHUP, SIGUSR1, SIGUSR2, SIGTERM, SIGXCPU}) {
+    const std::string name = fmt::format("signal{}", signal);
+    Program program =
+        start("exec " + cosurge(fmt::format("run scene --out {} {}", name, forever)), scratch_.path());
+    ASSERT_TRUE(program.says("results:", patience)) << program.output();
+    kill(program.pid(), signal);
+    EXPECT_EQ(program.wait(patience), 130) << program.output();
+    EXPECT_EQ(read_summary(scratch_.path() / name).at("status"), "interrupted");
+    EXPECT_THAT(read_summary(scratch_.path() / name).at("reason"),
+                HasSubstr(fmt::format("by signal {}", signal)));
+    EXPECT_TRUE(fs::is_empty(temporary())) << signal;
+  }
+}
+
+TEST_F(WaysOfUse, AHangUpOfTheWholeGroupIsInOrder) {
+  // As when a terminal closes: every process of the group gets it.
+  Program program =
+      start("exec setsid " + cosurge(fmt::format("run scene --out hung {}", forever)), scratch_.path());
+  ASSERT_TRUE(program.says("results:", patience)) << program.output();
+  kill(-program.pid(), SIGHUP);
+  EXPECT_EQ(program.wait(patience), 130) << program.output();
+  EXPECT_EQ(read_summary(scratch_.path() / "hung").at("status"), "interrupted");
+  EXPECT_TRUE(fs::is_empty(temporary()));
+}
+
+TEST_F(WaysOfUse, NohupOutlivesAHangUp) {
+  Program program =
+      start("exec nohup " + cosurge("run scene --out kept --set time.end=0.3"), scratch_.path());
+  ASSERT_TRUE(program.says("results:", patience)) << program.output();
+  kill(program.pid(), SIGHUP);
+  EXPECT_EQ(program.wait(patience), 0) << program.output();
+  EXPECT_EQ(read_summary(scratch_.path() / "kept").at("status"), "finished");
+}
+
+TEST_F(WaysOfUse, AReaderThatGoesAwayEndsTheRunInOrder) {
+  Program program =
+      start("set -o pipefail; " + cosurge(fmt::format("run scene --out piped {}", forever)) + " | head -n 1",
+            scratch_.path());
+  EXPECT_EQ(program.wait(patience), 130) << program.output();
+  EXPECT_EQ(read_summary(scratch_.path() / "piped").at("status"), "interrupted");
+  EXPECT_TRUE(fs::is_empty(temporary()));
+}
+
+TEST_F(WaysOfUse, HistoriesAreWrittenAsATableWithUnits) {
+  run(cosurge("run scene --in-process --out r"), scratch_.path());
+  const std::string all = run(cosurge("csv r"), scratch_.path());
+  EXPECT_THAT(all, StartsWith("time [s],window [s],"));
+  EXPECT_THAT(all, HasSubstr("fluid/front [m]"));
+  run(cosurge("csv r/results.h5 --columns fluid/front fluid/lost --out t.csv"), scratch_.path());
+  std::ifstream file(scratch_.path() / "t.csv");
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(file, line);) lines.push_back(line);
+  EXPECT_EQ(lines.front(), "time [s],window [s],fluid/front [m],fluid/lost");
+  const Datasets results = read_results(scratch_.path() / "r");
+  ASSERT_EQ(lines.size(), 1 + results.at("/history/time").size());
+  std::istringstream last(lines.back());
+  std::vector<double> values;
+  for (std::string cell; std::getline(last, cell, ',');) values.push_back(std::stod(cell));
+  EXPECT_EQ(values,
+            std::vector<double>({results.at("/history/time").back(), results.at("/history/window").back(),
+                                 results.at("/history/fluid/front").back(), 0}));
+  EXPECT_THAT(run(cosurge("csv r --out t.csv"), scratch_.path(), 1), HasSubstr("t.csv: exists already"));
+  EXPECT_THAT(run(cosurge("csv r --columns fluid/frnt"), scratch_.path(), 1),
+              HasSubstr("no column fluid/frnt; there"));
+  EXPECT_THAT(run(cosurge("csv nothing"), scratch_.path(), 1), HasSubstr("nothing: no results there"));
+}
+
+TEST_F(WaysOfUse, AMisspeltCommandIsAnsweredWithTheNearest) {
+  EXPECT_THAT(run(cosurge("chekc scene"), scratch_.path(), 2), HasSubstr("did you mean cosurge check?"));
+  EXPECT_THAT(run(cosurge("rnu scene"), scratch_.path(), 2), HasSubstr("did you mean cosurge run?"));
+  EXPECT_THAT(run(cosurge("scene"), scratch_.path(), 2), Not(HasSubstr("did you mean")));
+}
+
+TEST_F(WaysOfUse, LostWaterIsToldAtTheEndAndEndsTheRunWhereItIsTooMuch) {
+  write_case(R"(title = "shaken tank"
+gravity = [0.0, -9.81]
+[time]
+end = 1.0
+window = 2.0e-3
+[fluid]
+spacing = 0.02
+tank = { min = [0.0, 0.0], max = [0.4, 0.5] }
+water = [{ min = [0.0, 0.0], max = [0.4, 0.4] }]
+[fluid.tank_motion]
+amplitude = [0.15, 0.0]
+frequency = 1.2
+ramp = 0.2
+[output]
+frame_interval = 0.1
+)");
+  const std::string failed = run(cosurge("run scene --in-process --out a"), scratch_.path(), 1);
+  EXPECT_THAT(failed, HasSubstr("particles of water"));
+  EXPECT_THAT(failed, HasSubstr("fluid.most_lost = 0.01 allows 1 %"));
+  EXPECT_EQ(read_summary(scratch_.path() / "a").at("status"), "failed");
+  const std::string told =
+      run(cosurge("run scene --in-process --out b --set fluid.most_lost=1"), scratch_.path());
+  EXPECT_THAT(told, HasSubstr("finished"));
+  EXPECT_THAT(told, HasSubstr("water lost: "));
+  EXPECT_THAT(told, HasSubstr(" of 400 particles ("));
+  const Datasets results = read_results(scratch_.path() / "b");
+  double sides = 0;
+  for (const char* side : {"x_min", "x_max", "y_min", "y_max"})
+    sides += results.at(fmt::format("/history/fluid/lost_{}", side)).back();
+  EXPECT_GT(sides, 4);
+  EXPECT_EQ(sides, results.at("/history/fluid/lost").back());
+  EXPECT_EQ(results.at("/history/fluid/water").back(), 400 - sides);
+}
+
+TEST_F(WaysOfUse, AMapTakesVectorsAndFailsWhereEveryCellHas) {
+  const std::string dam_break = COSURGE_SOURCE_DIR "/tests/cases/small_dam_break";
+  const std::string map =
+      cosurge("map " + dam_break + " --set time.end=0.005 solid.model=modal --out m.csv --over ");
+  EXPECT_THAT(run(map + "'gravity=[0,-9.81],[0.0,-1.62]'", scratch_.path()),
+              HasSubstr("[0.0,-1.62]: stable"));
+  std::ifstream file(scratch_.path() / "m.csv");
+  std::stringstream table;
+  table << file.rdbuf();
+  EXPECT_THAT(table.str(), HasSubstr("\n\"[0,-9.81]\",stable,"));
+  fs::remove(scratch_.path() / "m.csv");
+  EXPECT_THAT(run(map + "solid.density=-1,-2", scratch_.path(), 1), HasSubstr("every cell failed"));
+}
+
+// The names that common/probe_columns.cpp keeps from probes are those of the solvers.
+TEST_F(WaysOfUse, TheColumnsOfTheResultsAreThoseThatNoProbeMayHave) {
+  const std::string dam_break = COSURGE_SOURCE_DIR "/tests/cases/small_dam_break";
+  for (const char* model : {"fem", "rigid", "sprung", "mps", "modal", "hamiltonian"}) {
+    const std::string spring =
+        std::string(model) == "sprung" ? " 'solid.sprung.spring=[{ motion = \"x\" }]'" : "";
+    run(cosurge(fmt::format("run {} --in-process --out {} --set time.end=0.002 output.frame_interval=0.001 "
+                            "output.probe=[] solid.model={}{}",
+                            dam_break, model, model, spring)),
+        scratch_.path());
+    for (const auto& [name, values] : read_results(scratch_.path() / model)) {
+      for (const std::string group : {"fluid", "solid"}) {
+        const std::string begin = "/history/" + group + "/";
+        if (!name.starts_with(begin)) continue;
+        const bool directed = name.size() > 2 && name[name.size() - 2] == '_' && name.back() >= 'x';
+        if (group == "solid" && !directed) continue;  // probes of displacement have directions
+        EXPECT_TRUE(is_own_column(group, name.substr(begin.size()))) << model << " " << name;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace cosurge::testing
