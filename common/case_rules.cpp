@@ -197,6 +197,12 @@ bool check_shapes(const v1::Case& c, CaseErrors& errors) {
   return ok;
 }
 
+/// Where a box is, to say beside what is wrong with it.
+std::string extent_of(const NamedBox& named) {
+  return fmt::format("; it reaches from ({:.6g}) to ({:.6g}) m", fmt::join(named.box.min(), ", "),
+                     fmt::join(named.box.max(), ", "));
+}
+
 /// Boxes on the lattice; water and bodies in the tank and apart from each other.
 void check_scene(const v1::Case& c, CaseErrors& errors) {
   std::vector<NamedBox> filled = body_boxes(c.solid()), boxes = filled, inner;
@@ -214,7 +220,8 @@ void check_scene(const v1::Case& c, CaseErrors& errors) {
     const double margin = whole * c.fluid().spacing();
     check_spacing("fluid.spacing", c.fluid().spacing(), boxes, errors);
     for (const NamedBox& named : inner)
-      if (!inside(named.box, c.fluid().tank(), margin)) errors.add(named.key, "must lie inside fluid.tank");
+      if (!inside(named.box, c.fluid().tank(), margin))
+        errors.add(named.key, "must lie inside fluid.tank" + extent_of(named));
     for (std::size_t i = 0; i < filled.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
         if (overlap(filled[i].box, filled[j].box, margin))

@@ -101,7 +101,8 @@ std::vector<TableColumn> motion_columns(const v1::WallMotion& motion, int dimens
 
 void read_motion(v1::WallMotion& motion, const std::filesystem::path& folder, int dimension) {
   if (motion.table().empty()) {
-    require(!motion.has_along(), "along is for a table only");
+    require(!motion.has_along() && !motion.has_angle_unit(),
+            "along and angle_unit are for a table only; angle and phase of a formula are in rad");
     return;
   }
   require(!motion.has_along() || motion.along() != v1::Along::z || dimension == 3,

@@ -43,8 +43,9 @@ void write_connection(const Connection& connection, const std::filesystem::path&
   const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
   require(file >= 0, "{}: cannot write: {}", path.string(), std::strerror(errno));
   const bool written = ::write(file, text.data(), text.size()) == static_cast<ssize_t>(text.size());
+  const int error = errno;
   ::close(file);
-  require(written, "{}: cannot write: {}", path.string(), std::strerror(errno));
+  require(written, "{}: cannot write: {}", path.string(), std::strerror(error));
 }
 
 Connection read_connection(const std::filesystem::path& path) {

@@ -174,7 +174,9 @@ TEST(MotionTables, OfTwoColumnsHaveTheCoordinateThatTheCaseNames) {
   EXPECT_THAT(errors_of(MovingTank("table = \"m.csv\", along = \"z\"", bytes).text.file()),
               HasSubstr("along = \"z\" is for scenes of three dimensions"));
   EXPECT_THAT(errors_of(MovingTank("along = \"x\"", bytes).text.file()),
-              HasSubstr("along is for a table only"));
+              HasSubstr("along and angle_unit are for a table only"));
+  EXPECT_THAT(errors_of(MovingTank("angle = 5, frequency = 1, angle_unit = \"deg\"", bytes).text.file()),
+              HasSubstr("angle and phase of a formula are in rad"));
 }
 
 TEST(MotionTables, MayHaveAnglesInDegrees) {
