@@ -318,6 +318,10 @@ void check_place(const v1::Case& c, const v1::Probe& probe, const std::string& k
     const std::string nearest = nearest_body(c, probe);
     errors.add(key + ".position", "must lie in or on a body" + (nearest.empty() ? "" : "; " + nearest));
   }
+  if (probe.quantity() == v1::Probe::pressure && on_body) {
+    const std::string deep = too_deep(c, probe);
+    if (!deep.empty()) errors.add(key + ".position", deep);
+  }
   if (!of_body && !on_body && !inside(point, c.fluid().tank(), 1e-9))
     errors.add(key + ".position", "must lie in fluid.tank or on a body");
 }

@@ -34,6 +34,12 @@ Nearest nearest_point(const v1::Case& c, const v1::Probe& probe) {
                             : nearest_point<3>(c.solid(), Eigen::Map<const Vec<3>>(probe.position().data()));
 }
 
+std::string text(const std::vector<double>& point) {
+  std::vector<std::string> numbers;
+  for (const double value : point) numbers.push_back(fmt::format("{:.6g}", value));
+  return fmt::format("({})", fmt::join(numbers, ", "));
+}
+
 /// Whether each has what its rules (common/case_rules.hpp) ask for: they are checked later.
 bool bodies_have_shapes(const v1::Case& c) {
   return std::all_of(c.solid().body().begin(), c.solid().body().end(), [&](const v1::Body& body) {
@@ -61,10 +67,21 @@ void snap_probes(v1::Case& c) {
 std::string nearest_body(const v1::Case& c, const v1::Probe& probe) {
   const Nearest nearest = nearest_point(c, probe);
   if (nearest.body < 0) return "";
-  std::vector<std::string> numbers;
-  for (const double value : nearest.point) numbers.push_back(fmt::format("{:.6g}", value));
-  return fmt::format("solid.body.{} is {:.3g} m away, at ({})", nearest.body, nearest.distance,
-                     fmt::join(numbers, ", "));
+  return fmt::format("solid.body.{} is {:.3g} m away, at {}", nearest.body, nearest.distance,
+                     text(nearest.point));
+}
+
+std::string too_deep(const v1::Case& c, const v1::Probe& probe) {
+  v1::Case only;  // the body that the probe lies in
+  only.set_dimension(c.dimension());
+  *only.mutable_solid()->add_body() = c.solid().body(body_at(c.solid(), probe.position()));
+  const Nearest nearest = nearest_point(only, probe);
+  constexpr double rounding = 1e-6;
+  if (nearest.distance <= (1 + rounding) * c.fluid().spacing()) return "";
+  return fmt::format(
+      "lies {:.3g} m within a body: pressure is that on its surface, which is nearest at {}; move "
+      "the probe there",
+      nearest.distance, text(nearest.point));
 }
 
 }  // namespace cosurge

@@ -13,4 +13,8 @@ void snap_probes(v1::Case& the_case);
 /// Where the nearest body is: "solid.body.0 is 0.02 m away, at (0.1, 0.05)". Empty where there is none.
 std::string nearest_body(const v1::Case& the_case, const v1::Probe& probe);
 
+/// What to say of a probe of pressure that lies in a body, farther from its surface than a spacing; else
+/// nothing.
+std::string too_deep(const v1::Case& the_case, const v1::Probe& probe);
+
 }  // namespace cosurge

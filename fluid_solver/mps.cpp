@@ -173,6 +173,7 @@ template <int dim>
 void Mps<dim>::predict(double start, double dt) {
   clock_.enter(predicting);
   walls_.move(particles_, start + dt, dt);
+  walls_.require_room(start + dt);
 #pragma omp parallel for schedule(static)
   for (int i = 0; i < particles_.size(); ++i) {
     if (particles_.kind[i] != Kind::fluid) continue;

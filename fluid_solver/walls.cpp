@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "common/error.hpp"
+
 namespace cosurge::fluid {
 
 template <int dim>
@@ -109,6 +111,44 @@ void Walls<dim>::move(Particles<dim>& particles, double end, double dt) {
     particles.x[i] = of->motion.place(X, end);
     particles.u[i] = (particles.x[i] - of->motion.place(X, end - dt)) / dt;
     speed_ = std::max(speed_, particles.u[i].norm());
+  }
+}
+
+template <int dim>
+void Walls<dim>::require_room(double t) const {
+  if (std::none_of(parts_.begin(), parts_.end(), [](const Part& part) { return part.motion.moves(); }))
+    return;
+  for (std::size_t k = 1; k < parts_.size(); ++k)
+    for (const Vec<dim>& X : parts_[k].place)
+      require_room(static_cast<std::ptrdiff_t>(k) - 1, parts_[k].motion.place(X, t), t);
+}
+
+/// @throws NumericalError where the particle at x of an obstacle has come so deep into the tank's walls, or
+/// into an obstacle before it, that particles of both lie nearly in one place.
+template <int dim>
+void Walls<dim>::require_room(std::ptrdiff_t obstacle, const Vec<dim>& x, double t) const {
+  const double deep = 0.25 * spacing_;
+  const auto moves = [&](std::ptrdiff_t k) { return parts_[static_cast<std::size_t>(k)].motion.moves(); };
+  const auto refuse = [&](const std::string& what) {
+    throw NumericalError(
+        fmt::format("fluid.obstacle.{} {} at t = {:.4g} s, at ({:.4g}): shorten the motion, or leave "
+                    "room for it",
+                    obstacle, what, t, fmt::join(x, ", ")));
+  };
+  if (moves(obstacle + 1) || tank_motion_.moves()) {
+    const Vec<dim> at = tank_motion_.moves() ? tank_motion_.origin(x, t) : x;
+    const Vec<dim> below = tank_.min - at, beyond = at - tank_.max;
+    const double depth = std::max(below.maxCoeff(), beyond.template head<dim - 1>().maxCoeff());
+    if (beyond[dim - 1] < 0 && depth > deep && depth < thickness_)
+      refuse(below[dim - 1] == depth ? "has moved into the tank's floor"
+                                     : "has moved into a side wall of the tank");
+  }
+  for (std::ptrdiff_t other = 0; other < obstacle; ++other) {
+    if (!moves(obstacle + 1) && !moves(other + 1)) continue;
+    const Shape<dim>& shape = obstacles_[static_cast<std::size_t>(other)];
+    const Vec<dim> at = parts_[static_cast<std::size_t>(other + 1)].motion.origin(x, t);
+    if (shape.contains(at) && (shape.nearest(at) - at).norm() > deep)
+      refuse(fmt::format("and fluid.obstacle.{} have moved into each other", other));
   }
 }
 

@@ -30,6 +30,10 @@ class Walls {
   /// Puts the walls that move where they are at time `end`, with their mean velocity over `dt` before.
   void move(Particles<dim>& particles, double end, double dt);
 
+  /// @throws NumericalError where an obstacle has moved into floor, side walls or another obstacle by time
+  /// `t` [s].
+  void require_room(double t) const;
+
   /// Largest speed of a wall in the last move [m/s].
   double speed() const { return speed_; }
 
@@ -46,6 +50,7 @@ class Walls {
   };
 
   bool taken(const Vec<dim>& x, bool moves) const;
+  void require_room(std::ptrdiff_t obstacle, const Vec<dim>& x, double t) const;
   Part tank_part() const;
   Part obstacle_part(const v1::Obstacle& obstacle, const Shape<dim>& shape) const;
 

@@ -117,6 +117,10 @@ const Spoiled table[] = {
     {"ForceOffEveryBody", "quantity = \"pressure\"\nposition = [0.1, 0.05]",
      "quantity = \"force\"\nposition = [0.2, 0.05]", "output.probe.1.position: must lie in or on a body",
      "position = [0.2"},
+    {"PressureDeepInABody", "position = [0.1, 0.05]", "position = [0.118, 0.05]",
+     "output.probe.1.position: lies 0.018 m within a body: pressure is that on its surface, which is nearest "
+     "at "
+     "(0.1, 0.05)"},
     {"ShapeThatIsNothing", "{ min = [0.15, 0.0], max = [0.2, 0.2] }", "{ min = [0.15, 0.0] }",
      "fluid.water.1: must have either min and max, or outline", "water   ="},
     {"ThinObstacle",

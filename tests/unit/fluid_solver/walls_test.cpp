@@ -5,6 +5,7 @@
 #include <map>
 #include <numbers>
 
+#include "common/error.hpp"
 #include "fluid_solver/gauges.hpp"
 #include "tests/support/water.hpp"
 
@@ -241,6 +242,35 @@ TEST(Walls, WhatOfAMovingObstacleLiesInTheFloorStaysThere) {
   int moved = 0;
   for (std::size_t i = 0; i < before.size(); ++i) moved += particles.x[i] != before[i] ? 1 : 0;
   EXPECT_EQ(moved, 10 * 5);
+}
+
+TEST(Walls, AnObstacleThatMovesIntoAnotherWallIsNamed) {
+  struct Way {
+    double x, y;       // of the first obstacle in a second
+    std::string into;  // nothing: it has room
+  };
+  const std::vector<Way> ways = {
+      {0.05, 0.05, ""},
+      {-0.1, 0, ""},  // it touches the wall
+      {-0.12, 0, "fluid.obstacle.0 has moved into a side wall of the tank"},
+      {0, -0.03, "fluid.obstacle.0 has moved into the tank's floor"},
+      {0.05, 0, ""},  // it touches the other obstacle
+      {0.08, 0, "fluid.obstacle.1 and fluid.obstacle.0 have moved into each other"},
+      {0, 0.4, ""}};  // out of the top
+  for (const Way& way : ways) {
+    v1::Fluid fluid = tank_with_obstacles({{0.1, 0, 0.15, 0.1}, {0.2, 0, 0.25, 0.1}});
+    for (const double value : {0.0, 0.0, 0.0, 0.0, 1.0, way.x, way.y, 0.0})
+      fluid.mutable_obstacle(0)->mutable_motion()->add_row(value);
+    const Walls<2> walls(fluid, 3);
+    std::string said;
+    try {
+      walls.require_room(1);
+    } catch (const NumericalError& error) {
+      said = error.what();
+    }
+    EXPECT_EQ(said.empty(), way.into.empty()) << said;
+    EXPECT_TRUE(said.starts_with(way.into)) << said;
+  }
 }
 
 TEST(Walls, WaterRestsBesideAnObstacleInTheFloor) {
