@@ -3,16 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <map>
 #include <optional>
-#include <set>
 
 #include "common/error.hpp"
 #include "common/outline_rules.hpp"
-#include "common/probe_columns.hpp"
+#include "common/probe_rules.hpp"
 #include "common/region_rules.hpp"
 #include "common/shape.hpp"
-#include "common/snap_probes.hpp"
 
 namespace cosurge {
 namespace {
@@ -305,69 +302,6 @@ void check_solid(const v1::Case& c, CaseErrors& errors) {
           errors.add(key + ".along", fmt::format("no \"{}\" in {} dimensions", "xyz"[axis], c.dimension()));
     }
   }
-}
-
-/// A probe of a body must lie in or on one, one of the water in the tank.
-void check_place(const v1::Case& c, const v1::Probe& probe, const std::string& key, CaseErrors& errors) {
-  v1::Box point;
-  *point.mutable_min() = probe.position();
-  *point.mutable_max() = probe.position();
-  const bool on_body = body_at(c.solid(), probe.position()) >= 0;
-  const bool of_body = probe.quantity() == v1::Probe::displacement || probe.quantity() == v1::Probe::force;
-  if (of_body && !on_body) {
-    const std::string nearest = nearest_body(c, probe);
-    errors.add(key + ".position", "must lie in or on a body" + (nearest.empty() ? "" : "; " + nearest));
-  }
-  if (probe.quantity() == v1::Probe::pressure && on_body) {
-    const std::string deep = too_deep(c, probe);
-    if (!deep.empty()) errors.add(key + ".position", deep);
-  }
-  if (!of_body && !on_body && !inside(point, c.fluid().tank(), 1e-9))
-    errors.add(key + ".position", "must lie in fluid.tank or on a body");
-}
-
-/// No column of a probe is that of another probe, or one that the results have without it.
-void check_columns(const v1::Case& c, CaseErrors& errors) {
-  std::map<std::string, int> taken;
-  for (int i = 0; i < c.output().probe_size(); ++i) {
-    const v1::Probe& probe = c.output().probe(i);
-    const auto add = [&](const std::string& what) {
-      errors.add(fmt::format("output.probe.{}.name", i), what);
-    };
-    for (const std::string& column : probe_columns(probe, c.dimension())) {
-      if (is_own_column(probe_group(probe), column))
-        add(fmt::format(
-            "\"{}\" makes the column {}, which the results of the {} solver have without it: choose "
-            "another name",
-            probe.name(), column, probe_group(probe)));
-      const auto [first, is_new] = taken.emplace(column, i);
-      if (!is_new && first->second != i && c.output().probe(first->second).name() != probe.name())
-        add(fmt::format(
-            "\"{}\" makes the column {}, which output.probe.{} (\"{}\") makes, too: choose another "
-            "name",
-            probe.name(), column, first->second, c.output().probe(first->second).name()));
-    }
-  }
-}
-
-void check_probes(const v1::Case& c, CaseErrors& errors) {
-  std::set<std::string> names;
-  for (int i = 0; i < c.output().probe_size(); ++i) {
-    const v1::Probe& probe = c.output().probe(i);
-    const std::string key = fmt::format("output.probe.{}", i);
-    const bool plain =
-        !probe.name().empty() && std::all_of(probe.name().begin(), probe.name().end(), [](char a) {
-          return std::isalnum(static_cast<unsigned char>(a)) != 0 || a == '_';
-        });
-    if (!plain) errors.add(key + ".name", "must be made of letters, digits and _");
-    if (!names.insert(probe.name()).second)
-      errors.add(key + ".name", fmt::format("\"{}\" is taken", probe.name()));
-    if (probe.quantity() != v1::Probe::displacement && !c.has_fluid())
-      errors.add(key + ".quantity", "needs a fluid");
-    else
-      check_place(c, probe, key, errors);
-  }
-  check_columns(c, errors);
 }
 
 void check_times(const v1::Case& c, CaseErrors& errors) {

@@ -1,5 +1,11 @@
 #include "coupler/result_folder.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+
 #include "common/error.hpp"
 
 namespace cosurge {
@@ -11,7 +17,7 @@ namespace fs = std::filesystem;
 bool make(const fs::path& folder) {
   std::error_code failed;
   if (folder.has_parent_path()) fs::create_directories(folder.parent_path(), failed);
-  const bool made = !failed && fs::create_directory(folder, failed);
+  const bool made = !failed && !fs::exists(folder) && fs::create_directory(folder, failed);
   require(!failed, "{}: cannot be made: {}", folder.string(), failed.message());
   return made;
 }
@@ -31,20 +37,34 @@ std::string case_name(const fs::path& case_path) {
   return fs::is_directory(path) ? path.filename().string() : path.parent_path().filename().string();
 }
 
-fs::path take_folder(const fs::path& case_path, const fs::path& out) {
+ResultFolder::ResultFolder(const fs::path& case_path, const fs::path& out) {
   if (!out.empty()) {
-    fs::path folder = out.lexically_normal();
-    if (folder.filename().empty()) folder = folder.parent_path();  // "results/mine/"
-    if (!fs::exists(folder) && make(folder)) return folder;
-    require(fs::is_directory(folder), "{}: is no folder; choose another --out", folder.string());
-    require(!holds_a_run(folder), "{}: holds results already; choose another --out", folder.string());
-    return folder;
+    path_ = out.lexically_normal();
+    if (path_.filename().empty()) path_ = path_.parent_path();  // "results/mine/"
+    make(path_);
+    require(fs::is_directory(path_), "{}: is no folder; choose another --out", path_.string());
+    require(lock(), "{}: another run has just taken it; choose another --out", path_.string());
+    require(!holds_a_run(path_), "{}: holds results already; choose another --out", path_.string());
+    return;
   }
   const std::string name = case_name(case_path);
-  fs::path folder = fs::path("results") / name;
-  for (int number = 2; !make(folder); ++number)
-    folder = fs::path("results") / fmt::format("{}-{}", name, number);
-  return folder;
+  path_ = fs::path("results") / name;
+  for (int number = 2; !make(path_) || !lock(); ++number)
+    path_ = fs::path("results") / fmt::format("{}-{}", name, number);
+}
+
+ResultFolder::~ResultFolder() {
+  if (locked_ >= 0) close(locked_);
+}
+
+/// Where folders cannot be locked (some network drives), whoever made it has it.
+bool ResultFolder::lock() {
+  locked_ = open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (locked_ < 0 || flock(locked_, LOCK_EX | LOCK_NB) == 0) return true;
+  if (errno != EWOULDBLOCK) return true;
+  close(locked_);
+  locked_ = -1;
+  return false;
 }
 
 }  // namespace cosurge

@@ -9,9 +9,25 @@ namespace cosurge {
 /// The case's name: that of the folder its file is in, also where the path is "." or "..".
 std::string case_name(const std::filesystem::path& case_path);
 
-/// Makes a folder that no other run has: `out` where it is given, which must not hold any results or be in
-/// use, else results/NAME, or results/NAME-2 and so on. Runs that start together get different ones.
-/// @throws Error when it cannot be made, or `out` is taken.
-std::filesystem::path take_folder(const std::filesystem::path& case_path, const std::filesystem::path& out);
+/// A folder that no other run has while this lives: `out` where it is given, which must not hold any results,
+/// else results/NAME, or results/NAME-2 and so on, the first that is not there. Runs that start together get
+/// different ones, or are refused.
+class ResultFolder {
+ public:
+  /// @throws Error when it cannot be made, or `out` is taken.
+  ResultFolder(const std::filesystem::path& case_path, const std::filesystem::path& out);
+  ~ResultFolder();
+
+  ResultFolder(const ResultFolder&) = delete;
+  ResultFolder& operator=(const ResultFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  bool lock();
+
+  std::filesystem::path path_;
+  int locked_ = -1;  // the folder's file descriptor, whose lock ends with it
+};
 
 }  // namespace cosurge

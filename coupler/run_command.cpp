@@ -185,7 +185,8 @@ int launch(const RunOptions& options, const v1::Case& the_case, const fs::path& 
 
 int run_command(const RunOptions& options) {
   const v1::Case the_case = load_case(options.case_path, options.overrides);
-  return launch(options, the_case, take_folder(options.case_path, options.out), nullptr);
+  const ResultFolder folder(options.case_path, options.out);
+  return launch(options, the_case, folder.path(), nullptr);
 }
 
 int resume_command(const RunOptions& options) {
