@@ -28,11 +28,12 @@ bool divides(double spacing, double length) {
 struct NamedBox {
   std::string key;
   v1::Box box;
+  bool unscaled_outline = false;  // it is the box around an outline as it is in its file
 };
 
 /// A shape, or the box around its outline.
 NamedBox named_box(const std::string& key, const v1::Shape& shape, int dimension) {
-  NamedBox named{.key = key, .box = {}};
+  NamedBox named{.key = key, .box = {}, .unscaled_outline = shape.vertex_size() > 0 && !shape.has_scale()};
   *named.box.mutable_min() = shape.min();
   *named.box.mutable_max() = shape.max();
   for (int v = 0; v < shape.vertex_size(); ++v) {
@@ -194,10 +195,14 @@ bool check_shapes(const v1::Case& c, CaseErrors& errors) {
   return ok;
 }
 
-/// Where a box is, to say beside what is wrong with it.
-std::string extent_of(const NamedBox& named) {
-  return fmt::format("; it reaches from ({:.6g}) to ({:.6g}) m", fmt::join(named.box.min(), ", "),
-                     fmt::join(named.box.max(), ", "));
+/// What is wrong with a box that is not within the tank: where it is, and whether its file may be in mm.
+std::string outside_the_tank(const NamedBox& named, const v1::Box& tank) {
+  bool larger = false;
+  for (int k = 0; k < tank.min_size(); ++k)
+    larger = larger || named.box.max(k) - named.box.min(k) > tank.max(k) - tank.min(k);
+  return fmt::format("must lie inside fluid.tank; it reaches from ({:.6g}) to ({:.6g}) m{}",
+                     fmt::join(named.box.min(), ", "), fmt::join(named.box.max(), ", "),
+                     larger && named.unscaled_outline ? "; where its file is in mm, give scale = 0.001" : "");
 }
 
 /// Boxes on the lattice; water and bodies in the tank and apart from each other.
@@ -207,7 +212,7 @@ void check_scene(const v1::Case& c, CaseErrors& errors) {
     for (const NamedBox& water : water_boxes(c.fluid())) filled.push_back(water);
     boxes = filled;
     for (const NamedBox& obstacle : obstacle_boxes(c.fluid())) boxes.push_back(obstacle);
-    boxes.push_back({"fluid.tank", c.fluid().tank()});
+    boxes.push_back({.key = "fluid.tank", .box = c.fluid().tank()});
     inner = body_bounds(c.solid(), c.dimension());
     for (const NamedBox& water : water_boxes(c.fluid())) inner.push_back(water);
   }
@@ -218,7 +223,7 @@ void check_scene(const v1::Case& c, CaseErrors& errors) {
     check_spacing("fluid.spacing", c.fluid().spacing(), boxes, errors);
     for (const NamedBox& named : inner)
       if (!inside(named.box, c.fluid().tank(), margin))
-        errors.add(named.key, "must lie inside fluid.tank" + extent_of(named));
+        errors.add(named.key, outside_the_tank(named, c.fluid().tank()));
     for (std::size_t i = 0; i < filled.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
         if (overlap(filled[i].box, filled[j].box, margin))

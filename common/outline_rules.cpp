@@ -75,18 +75,22 @@ std::string open_edge(const std::vector<Shape<3>::Facet>& triangles) {
   return "";
 }
 
-/// Triangles with the same three corners.
+/// Three corners from the smallest on, in the triangle's order around.
+std::array<Corner, 3> around(const Shape<3>::Facet& triangle) {
+  std::array<Corner, 3> corners = {corner_of(triangle, 0), corner_of(triangle, 1), corner_of(triangle, 2)};
+  std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+  return corners;
+}
+
+/// Triangles that are there twice. (In the opposite order around they are the common face of two parts.)
 std::string doubled_triangles(const std::vector<Shape<3>::Facet>& triangles) {
   std::map<std::array<Corner, 3>, std::size_t> seen;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
-    std::array<Corner, 3> corners = {corner_of(triangles[t], 0), corner_of(triangles[t], 1),
-                                     corner_of(triangles[t], 2)};
-    std::sort(corners.begin(), corners.end());
+    const std::array<Corner, 3> corners = around(triangles[t]);
     const auto [first, is_new] = seen.emplace(corners, t);
     if (!is_new)
       return fmt::format(
-          "the triangles {} and {} (counted from 0) have the same corners ({}), ({}), ({}): leave "
-          "one out",
+          "the triangles {} and {} (counted from 0) have the same corners ({}), ({}), ({}): leave one out",
           first->second, t, fmt::join(corners[0], ", "), fmt::join(corners[1], ", "),
           fmt::join(corners[2], ", "));
   }

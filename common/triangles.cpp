@@ -96,10 +96,9 @@ class Surface {
   }
 
   std::vector<Triangle> outwards() {
-    for (int p = 0; p < parts_; ++p)
-      if (volume(p) < 0 && !within_another(p))
-        for (std::size_t t = 0; t < triangles_.size(); ++t)
-          if (part_[t] == p) turn(t);
+    for (const std::vector<std::size_t>& part : parts_)
+      if (is_closed(part) && volume(part) < 0 && !within_another(part))
+        for (const std::size_t t : part) turn(t);
     return triangles_;
   }
 
@@ -110,8 +109,9 @@ class Surface {
 
   /// Goes from the triangle `first` across edges of two triangles; most of the part stays as it was.
   void order_part(std::size_t first) {
+    const int number = static_cast<int>(parts_.size());
     std::vector<std::size_t> part = {first}, turned;
-    part_[first] = parts_;
+    part_[first] = number;
     for (std::size_t n = 0; n < part.size(); ++n) {
       for (std::size_t k = 0; k < 3; ++k) {
         const auto [edge, forward] = side_of(triangles_[part[n]], k);
@@ -119,7 +119,7 @@ class Surface {
         if (both.size() != 2) continue;
         const std::size_t other = both[both[0] == part[n] ? 1 : 0];
         if (part_[other] != none) continue;
-        part_[other] = parts_;
+        part_[other] = number;
         part.push_back(other);
         if (passes(other, edge) != forward) continue;
         turn(other);
@@ -128,7 +128,7 @@ class Surface {
     }
     if (2 * turned.size() > part.size())
       for (const std::size_t t : part) turn(t);
-    ++parts_;
+    parts_.push_back(std::move(part));
   }
 
   bool passes(std::size_t t, const Edge& edge) const {
@@ -137,32 +137,41 @@ class Surface {
     return false;
   }
 
-  double volume(int part) const {
+  /// Parts that share a face fall into pieces there, which are as they should be.
+  bool is_closed(const std::vector<std::size_t>& part) const {
+    std::vector<Triangle> own;
+    for (const std::size_t t : part) own.push_back(triangles_[t]);
+    return is_oriented(own);
+  }
+
+  double volume(const std::vector<std::size_t>& part) const {
     const Vec<3> origin = triangles_.front()[0];
     double sum = 0;
-    for (std::size_t t = 0; t < triangles_.size(); ++t) {
-      if (part_[t] != part) continue;
+    for (const std::size_t t : part) {
       const auto& [a, b, c] = triangles_[t];
       sum += (a - origin).dot((b - origin).cross(c - origin)) / 6;
     }
     return sum;
   }
 
-  /// Whether a corner of the part lies in the others.
-  bool within_another(int part) const {
-    v1::Shape others;
-    const Vec<3>* corner = nullptr;
-    for (std::size_t t = 0; t < triangles_.size(); ++t) {
-      if (part_[t] == part) corner = &triangles_[t][0];
-      for (std::size_t c = 0; c < 3 && part_[t] != part; ++c)
-        for (const double value : triangles_[t][c]) others.add_vertex(value);
-    }
-    return corner != nullptr && others.vertex_size() > 0 && Shape<3>(others).contains(*corner);
+  /// Whether the part's corners, or some of many, all lie in the others.
+  bool within_another(const std::vector<std::size_t>& part) const {
+    constexpr std::size_t enough = 50;
+    v1::Shape rest;
+    for (std::size_t t = 0; t < triangles_.size(); ++t)
+      for (std::size_t c = 0; c < 3 && part_[t] != part_[part.front()]; ++c)
+        for (const double value : triangles_[t][c]) rest.add_vertex(value);
+    if (rest.vertex_size() == 0) return false;
+    const Shape<3> others(rest);
+    for (std::size_t n = 0; n < part.size(); n += 1 + part.size() / enough)
+      for (const Vec<3>& corner : triangles_[part[n]])
+        if (!others.contains(corner)) return false;
+    return true;
   }
 
   std::vector<Triangle> triangles_;
   std::vector<int> part_;  // of each triangle
-  int parts_ = 0;
+  std::vector<std::vector<std::size_t>> parts_;
   std::map<Edge, std::vector<std::size_t>> beside_;  // triangles at each edge
 };
 

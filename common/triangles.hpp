@@ -20,7 +20,7 @@ std::vector<double> weld(const std::vector<double>& corners);
 bool is_oriented(const std::vector<Triangle>& triangles);
 
 /// The same triangles, each ordered as its neighbours are: two of them on an edge that has no others pass it
-/// in opposite senses. Parts that are not within another part are seen counterclockwise from outside.
+/// in opposite senses. Closed parts that are not within another part are seen counterclockwise from outside.
 /// Triangles that cannot be ordered so stay as they are.
 std::vector<double> orient(const std::vector<double>& corners);
 

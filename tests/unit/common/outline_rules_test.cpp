@@ -81,6 +81,18 @@ TEST(OutlinedBodies, MustEncloseParticlesInOnePieceInsideTheTank) {
               HasSubstr("solid.body.0.shape: must lie inside fluid.tank"));
 }
 
+TEST(OutlinedBodies, InMillimetresAreToldSo) {
+  EXPECT_THAT(
+      OutlinedBody("100, 0\n140, 0\n140, 100\n100, 100\n").errors(),
+      HasSubstr("solid.body.0.shape: must lie inside fluid.tank; it reaches from (100, 0) to (140, 100) m; "
+                "where its file is in mm, give scale = 0.001"));
+  const CaseText scaled("box   = { min = [0.1, 0.0], max = [0.14, 0.1] }",
+                        "shape = { outline = \"shape.csv\", scale = 0.001 }");
+  std::ofstream(std::filesystem::path(scaled.file()).parent_path() / "shape.csv")
+      << "100, 0\n140, 0\n140, 100\n100, 100\n";
+  EXPECT_EQ(errors_of(scaled.file()), "");
+}
+
 TEST(OutlinedBodies, MustNotOverlapEachOther) {
   const OutlinedBody body(plate);
   const auto beside = [&](const char* min, const char* max) {

@@ -248,6 +248,29 @@ TEST(Xdmf, EveryFrameIsAGridThatSelectsItsPartOfTheArrays) {
   EXPECT_FALSE(fs::exists(run.folder.path() / "results.xdmf.new"));
 }
 
+TEST(Xdmf, IsRarelyWrittenWhereFramesAreManyAndWholeAfterAFlush) {
+  const ScratchFolder folder;
+  std::vector<Member> members = {recorded_members().back()};  // three particles
+  Recorder recorder(folder.path(), recorded_case(), members, recorded_interface(), {});
+  const fs::path file = folder.path() / "results.xdmf";
+  constexpr int frames = 2000;
+  int writings = 0;
+  auto seen = fs::file_time_type::min();
+  for (int k = 0; k < frames; ++k) {
+    recorder.frame(0.1 * k, {snapshots(k).back()});
+    if (const auto now = fs::last_write_time(file); now != seen) ++writings, seen = now;
+  }
+  const auto grids = [&] {
+    const std::string text = text_of(file);
+    int count = 0;
+    for (auto at = text.find("<Time"); at != std::string::npos; at = text.find("<Time", at + 1)) ++count;
+    return count;
+  };
+  EXPECT_LT(writings, frames / 2);  // the first hundred, and a fiftieth of the time
+  recorder.flush();
+  EXPECT_EQ(grids(), frames);
+}
+
 TEST(Xdmf, ACloudWithoutPositionsIsLeftOut) {
   const std::string text =
       xdmf("results.h5", {0}, {{.name = "fluid", .arrays = {{"pressure", "/frames/fluid/pressure", 4, 1}}}});

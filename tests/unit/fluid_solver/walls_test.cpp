@@ -4,6 +4,7 @@
 
 #include <map>
 #include <numbers>
+#include <set>
 
 #include "common/error.hpp"
 #include "fluid_solver/gauges.hpp"
@@ -229,6 +230,28 @@ TEST(Walls, OfOnePlaceCountOnce) {
   };
   for (std::size_t k = 0; k < overlaps.size(); ++k)
     EXPECT_EQ(distinct_sites(tank_with_obstacles(overlaps[k].boxes)) - tank, overlaps[k].more) << k;
+}
+
+TEST(Walls, OfOnePlaceCountOnceInSpaceToo) {
+  v1::Fluid fluid;
+  fluid.set_spacing(0.1);
+  for (const double x : {0.0, 0.0, 0.0}) fluid.mutable_tank()->add_min(x);
+  for (const double x : {1.0, 1.0, 1.0}) fluid.mutable_tank()->add_max(x);
+  const auto sites = [&] {
+    Particles<3> particles;
+    Walls<3>(fluid, 3).add_to(particles);
+    std::set<std::array<long, 3>> places;
+    for (const Vec<3>& x : particles.x)
+      places.insert({std::lround(20 * x[0]), std::lround(20 * x[1]), std::lround(20 * x[2])});
+    EXPECT_EQ(places.size(), particles.x.size());
+    return static_cast<int>(places.size());
+  };
+  const int tank = sites();
+  EXPECT_EQ(tank, 18 * 18 * 14 - 10 * 10 * 10);
+  v1::Shape& shape = *fluid.add_obstacle()->mutable_shape();
+  for (const double x : {-0.4, 0.2, -0.4}) shape.add_min(x);
+  for (const double x : {0.5, 1.4, 0.4}) shape.add_max(x);
+  EXPECT_EQ(sites(), tank + 5 * 8 * 4);
 }
 
 TEST(Walls, WhatOfAMovingObstacleLiesInTheFloorStaysThere) {
