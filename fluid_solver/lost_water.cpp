@@ -34,7 +34,7 @@ void LostWater<dim>::after_step(const Particles<dim>& particles, double t) {
     if (here_[id] != 0) ++lost_[side_of(place_[id], t)];
   if (lost() <= most_lost_ * water_) return;
   throw NumericalError(fmt::format(
-      "{:.0f} of {:.0f} particles of water ({:.3g} %) have left the tank by t = {:.4g} s, at {}; "
+      "{:.0f} of {:.0f} particles of water ({:.3g} %) have left the tank by t = {:.4g} s: {}; "
       "fluid.most_lost = {} allows {:.3g} %. Make the tank higher or time.window smaller, or allow "
       "more",
       lost(), water_, 100 * lost() / water_, t, where(), most_lost_, 100 * most_lost_));
@@ -69,8 +69,12 @@ double LostWater<dim>::lost() const {
 template <int dim>
 std::string LostWater<dim>::where() const {
   std::vector<std::string> places;
-  for (std::size_t side = 0; side < sides; ++side)
-    if (lost_[side] > 0) places.push_back(fmt::format("{} {:.0f}", side_name(side), lost_[side]));
+  for (std::size_t side = 0; side < sides; ++side) {
+    if (lost_[side] == 0) continue;
+    const auto axis = static_cast<Eigen::Index>(side / 2);
+    places.push_back(fmt::format("{:.0f} at {} = {:g} m", lost_[side], "xyz"[side / 2],
+                                 side % 2 == 0 ? tank_.min[axis] : tank_.max[axis]));
+  }
   return fmt::format("{}", fmt::join(places, ", "));
 }
 
