@@ -150,16 +150,10 @@ bool is_text(const std::string& bytes) {
 std::vector<double> read_stl(const std::filesystem::path& file) {
   const std::string bytes = file_contents(file);
   const std::string name = file.string();
-  std::vector<double> corners;
-  const bool binary = bytes.size() >= before_triangles &&
-                      bytes.size() == before_triangles + triangles_of_binary(bytes) * bytes_a_triangle;
-  if (binary) {
-    corners = read_binary(bytes, name);
-  } else if (const std::string text = without_byte_order_mark(bytes, file); is_text(text)) {
-    corners = Text(text, name).read();
-  } else {
-    corners = read_binary(bytes, name);
-  }
+  const bool of_its_size = bytes.size() >= before_triangles &&
+                           bytes.size() == before_triangles + triangles_of_binary(bytes) * bytes_a_triangle;
+  const std::string text = of_its_size ? "" : without_byte_order_mark(bytes, file);
+  std::vector<double> corners = is_text(text) ? Text(text, name).read() : read_binary(bytes, name);
   require(!corners.empty(), "{}: has no triangles", name);
   check_finite(corners, name);
   return corners;

@@ -52,8 +52,8 @@ std::size_t LostWater<dim>::side_of(const Vec<dim>& x, double t) const {
   constexpr std::size_t top = sides - 1;
   const Vec<dim> at = motion_.moves() ? motion_.origin(x, t) : x;
   std::array<double, sides> beyond{};
-  for (int axis = 0; axis < dim; ++axis) {
-    const auto side = static_cast<std::size_t>(2 * axis);
+  for (std::size_t side = 0; side < sides; side += 2) {
+    const auto axis = static_cast<Eigen::Index>(side / 2);
     beyond[side] = tank_.min[axis] - at[axis];
     beyond[side + 1] = at[axis] - tank_.max[axis];
   }

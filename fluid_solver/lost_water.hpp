@@ -34,7 +34,7 @@ class LostWater {
   void restore(StateReader& state);
 
  private:
-  static constexpr std::size_t sides = 2 * dim;
+  static constexpr std::size_t sides = std::size_t{2} * dim;
 
   static std::string side_name(std::size_t side);
   std::size_t side_of(const Vec<dim>& x, double t) const;
