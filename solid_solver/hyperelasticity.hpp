@@ -26,50 +26,65 @@ Mat<dim> green_strain(const Mat<dim>& H) {
   return 0.5 * (H + H.transpose() + H.transpose() * H);
 }
 
-/// S = lambda tr(E) I + 2 mu E (docs/method_solid.md, S20).
+/// The measure of volume that lambda resists, from H = F - I: tr E of St. Venant-Kirchhoff's law, ln J of the
+/// neo-Hookean one; in the plane of a scene of two dimensions.
 template <int dim>
-Response<dim> st_venant_kirchhoff(const Mat<dim>& H, const Elasticity& m) {
+double dilatation(const Mat<dim>& H, const Elasticity& m) {
+  if (!m.neo_hookean) return green_strain<dim>(H).trace();
+  return std::log(std::max((Mat<dim>::Identity() + H).determinant(), 1e-300));
+}
+
+/// S = lambda theta I + 2 mu E (docs/method_solid.md, S20), where theta is tr E or what stands for it.
+template <int dim>
+Response<dim> st_venant_kirchhoff(const Mat<dim>& H, double theta, const Elasticity& m) {
   const Mat<dim> E = green_strain<dim>(H);
   const double lambda = m.lambda(), across = m.lambda_in_space() / (m.lambda_in_space() + 2 * m.mu());
-  const Mat<dim> S = lambda * E.trace() * Mat<dim>::Identity() + 2 * m.mu() * E;
-  return {.S = S,
+  return {.S = lambda * theta * Mat<dim>::Identity() + 2 * m.mu() * E,
           .B = Mat<dim>::Identity(),
           .a = lambda,
           .b = m.mu(),
-          .energy = 0.5 * E.cwiseProduct(S).sum(),
-          .across2 = m.plane_stress ? 1 - 2 * across * E.trace() : 1};
+          .energy = 0.5 * lambda * theta * theta + m.mu() * E.squaredNorm(),
+          .across2 = m.plane_stress ? 1 - 2 * across * theta : 1};
 }
 
 /// The compressible neo-Hookean law psi = mu / 2 (tr C - 3 - 2 ln J) + lambda / 2 (ln J)^2 with C = F^T F
-/// (Bonet & Wood 2008; docs/method_solid.md, S35): S = mu (I - C^-1) + lambda ln J C^-1. In plane stress the
-/// stretch across follows from S_33 = 0, by Newton's method on its logarithm. Without sense where det F <= 0.
+/// (Bonet & Wood 2008; docs/method_solid.md, S35): S = mu (I - C^-1) + lambda ln J C^-1; theta stands for the
+/// ln J of lambda's terms, in the plane. In plane stress the stretch across follows from S_33 = 0, by
+/// Newton's method on its logarithm. Without sense where det F <= 0.
 template <int dim>
-Response<dim> neo_hookean(const Mat<dim>& H, const Elasticity& m) {
+Response<dim> neo_hookean(const Mat<dim>& H, double theta, const Elasticity& m) {
   const double mu = m.mu(), lambda = m.lambda_in_space();
   const Mat<dim> F = Mat<dim>::Identity() + H, inverse = (F.transpose() * F).inverse();
-  const double in_plane = std::log(std::max(F.determinant(), 1e-300));
   double across = 0;  // ln of the stretch across
   constexpr int most = 50;
   for (int k = 0; m.plane_stress && k < most; ++k) {
     const double square = std::exp(2 * across);
-    const double residual = mu * (square - 1) + lambda * (in_plane + across);
+    const double residual = mu * (square - 1) + lambda * (theta + across);
     const double change = -residual / (2 * mu * square + lambda);
     across += std::clamp(change, -1.0, 1.0);
     if (std::abs(change) < 1e-15) break;
   }
-  const double ln_J = in_plane + across, b = mu - lambda * ln_J, square = std::exp(2 * across);
+  const double ln_J = dilatation<dim>(H, m) + across, resisted = theta + across;
+  const double b = mu - lambda * resisted, square = std::exp(2 * across);
   const double trace = (F.transpose() * F).trace() + square + (dim == 2 ? 0 : -1);
   return {.S = mu * Mat<dim>::Identity() - b * inverse,
           .B = inverse,
           .a = m.plane_stress ? 2 * lambda * b / (lambda + 2 * b) : lambda,
           .b = b,
-          .energy = 0.5 * mu * (trace - 3 - 2 * ln_J) + 0.5 * lambda * ln_J * ln_J,
+          .energy = 0.5 * mu * (trace - 3 - 2 * ln_J) + 0.5 * lambda * resisted * resisted,
           .across2 = square};
+}
+
+/// @param theta what lambda resists: dilatation(H), or a mean of it over a region
+template <int dim>
+Response<dim> respond(const Mat<dim>& H, double theta, const Elasticity& material) {
+  return material.neo_hookean ? neo_hookean<dim>(H, theta, material)
+                              : st_venant_kirchhoff<dim>(H, theta, material);
 }
 
 template <int dim>
 Response<dim> respond(const Mat<dim>& H, const Elasticity& material) {
-  return material.neo_hookean ? neo_hookean<dim>(H, material) : st_venant_kirchhoff<dim>(H, material);
+  return respond<dim>(H, dilatation<dim>(H, material), material);
 }
 
 /// Von Mises stress [Pa] of the Cauchy stress J^-1 F S F^T (docs/method_solid.md, S19), with what a scene of

@@ -1,5 +1,6 @@
 #include "solid_solver/models/fem/fem_body.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
@@ -9,7 +10,9 @@ namespace cosurge::fem {
 template <int dim>
 FemBody<dim>::FemBody(const v1::Body& body, int index, double longest, const Elasticity& material,
                       const Vec<dim>& gravity)
-    : material_(material), mesh_(body, index, longest) {
+    : material_(material),
+      linear_dilatation_(material.lambda() > 0 && !material.plane_stress),
+      mesh_(body, index, longest) {
   make_quadratures();
   number_unknowns();
   make_pattern();
@@ -18,16 +21,39 @@ FemBody<dim>::FemBody(const v1::Body& body, int index, double longest, const Ela
 
 template <int dim>
 void FemBody<dim>::make_quadratures() {
+  using Linear = Eigen::Matrix<double, dim + 1, 1>;
   const auto samples = Element::gauss();
   quadratures_.resize(mesh_.even() ? 1 : static_cast<std::size_t>(mesh_.elements()));
   for (std::size_t e = 0; e < quadratures_.size(); ++e) {
+    Nodal X = mesh_.corners(static_cast<Eigen::Index>(e));
+    X.colwise() -= X.rowwise().mean().eval();
+    Eigen::Matrix<double, dim + 1, dim + 1> moments = Eigen::Matrix<double, dim + 1, dim + 1>::Zero();
     for (std::size_t g = 0; g < samples.size(); ++g) {
       const auto G = Element::gradients(samples[g].xi);
-      const Mat<dim> J = mesh_.even() ? Mat<dim>((0.5 * mesh_.side()).asDiagonal())
-                                      : Mat<dim>(mesh_.corners(static_cast<Eigen::Index>(e)) * G);
-      quadratures_[e][g] = {.gradients = G * J.inverse(), .volume = samples[g].weight * J.determinant()};
+      const Mat<dim> J = mesh_.even() ? Mat<dim>((0.5 * mesh_.side()).asDiagonal()) : Mat<dim>(X * G);
+      const Vec<dim> x = X * Element::values(samples[g].xi);
+      Quadrature& q = quadratures_[e][g];
+      q = {.gradients = G * J.inverse(), .volume = samples[g].weight * J.determinant(), .linear = {}};
+      q.linear << 1, x.cwiseQuotient(mesh_.side());
+      moments += q.volume * q.linear * q.linear.transpose();
     }
+    const Eigen::LLT<Eigen::Matrix<double, dim + 1, dim + 1>> factors(moments);
+    for (Quadrature& q : quadratures_[e]) q.linear = factors.matrixL().solve(Linear(q.linear));
   }
+}
+
+template <int dim>
+typename FemBody<dim>::Strains FemBody<dim>::strains(const Nodal& u, const Quadratures& points) const {
+  Strains all;
+  Eigen::Matrix<double, dim + 1, 1> linear = Eigen::Matrix<double, dim + 1, 1>::Zero();
+  for (std::size_t g = 0; g < points.size(); ++g) {
+    all.H[g] = u * points[g].gradients;
+    all.dilatation[g] = dilatation<dim>(all.H[g], material_);
+    linear += points[g].volume * all.dilatation[g] * points[g].linear;
+  }
+  for (std::size_t g = 0; g < points.size() && linear_dilatation_; ++g)
+    all.dilatation[g] = linear.dot(points[g].linear);
+  return all;
 }
 
 template <int dim>
@@ -111,11 +137,13 @@ typename FemBody<dim>::InternalForce FemBody<dim>::internal_force(const Vector& 
   InternalForce result{
       .force = Vector::Zero(unknowns()), .gross = 0, .least_volume = std::numeric_limits<double>::infinity()};
   for (Eigen::Index e = 0; e < mesh_.elements(); ++e) {
-    const Nodal moved = gather(u, e);
+    const Strains strained = strains(gather(u, e), quadratures(e));
     Nodal force = Nodal::Zero();
-    for (const Quadrature& q : quadratures(e)) {
-      const Mat<dim> H = moved * q.gradients, F = Mat<dim>::Identity() + H;
-      force += q.volume * (F * respond<dim>(H, material_).S) * q.gradients.transpose();
+    for (std::size_t g = 0; g < strained.H.size(); ++g) {
+      const Quadrature& q = quadratures(e)[g];
+      const Mat<dim> F = Mat<dim>::Identity() + strained.H[g];
+      const Mat<dim> S = respond<dim>(strained.H[g], strained.dilatation[g], material_).S;
+      force += q.volume * (F * S) * q.gradients.transpose();
       result.least_volume = std::min(result.least_volume, F.determinant());
     }
     result.gross = std::max(result.gross, force.cwiseAbs().maxCoeff());
@@ -132,14 +160,20 @@ typename FemBody<dim>::InternalForce FemBody<dim>::internal_force(const Vector& 
 template <int dim>
 typename FemBody<dim>::Stiffness FemBody<dim>::element_tangent(const Nodal& u, Eigen::Index element) const {
   Stiffness part = Stiffness::Zero();
-  for (const Quadrature& q : quadratures(element)) {
-    const Mat<dim> H = u * q.gradients, F = Mat<dim>::Identity() + H;
-    const Response<dim> material = respond<dim>(H, material_);
-    const double a_volume = q.volume * material.a, b_volume = q.volume * material.b;
+  const Strains strained = strains(u, quadratures(element));
+  Eigen::Matrix<double, components, dim + 1> slope = Eigen::Matrix<double, components, dim + 1>::Zero();
+  for (std::size_t g = 0; g < strained.H.size(); ++g) {
+    const Quadrature& q = quadratures(element)[g];
+    const Mat<dim> F = Mat<dim>::Identity() + strained.H[g];
+    const Response<dim> material = respond<dim>(strained.H[g], strained.dilatation[g], material_);
+    const double a_volume = linear_dilatation_ ? 0 : q.volume * material.a, b_volume = q.volume * material.b;
     const Mat<dim> FB = F * material.B, FBF = b_volume * FB * F.transpose();
     const Nodal turned = FB * q.gradients.transpose();  // F B g_a
     const typename Element::Gradients raised = q.gradients * material.B,
                                       pulled = q.volume * q.gradients * material.S;
+    if (linear_dilatation_)
+      slope += Eigen::Map<const Eigen::Matrix<double, components, 1>>(turned.data()) *
+               (q.volume * q.linear.transpose());
     for (int b = 0; b < Element::nodes; ++b) {
       for (int a = b; a < Element::nodes; ++a) {
         Mat<dim> block = a_volume * turned.col(a) * turned.col(b).transpose() +
@@ -150,6 +184,7 @@ typename FemBody<dim>::Stiffness FemBody<dim>::element_tangent(const Nodal& u, E
       }
     }
   }
+  if (linear_dilatation_) part += material_.lambda() * slope * slope.transpose();
   // Nodes of an element ascend as their unknowns do, so that the lower triangle needs no other block.
   return part;
 }
@@ -166,9 +201,10 @@ template <int dim>
 double FemBody<dim>::elastic_energy(const Vector& u) const {
   double energy = 0;
   for (Eigen::Index e = 0; e < mesh_.elements(); ++e) {
-    const Nodal moved = gather(u, e);
-    for (const Quadrature& q : quadratures(e))
-      energy += q.volume * respond<dim>(moved * q.gradients, material_).energy;
+    const Strains strained = strains(gather(u, e), quadratures(e));
+    for (std::size_t g = 0; g < strained.H.size(); ++g)
+      energy +=
+          quadratures(e)[g].volume * respond<dim>(strained.H[g], strained.dilatation[g], material_).energy;
   }
   return energy;
 }

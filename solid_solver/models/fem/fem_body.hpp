@@ -13,8 +13,9 @@ namespace cosurge::fem {
 using Vector = Eigen::VectorXd;
 using Matrix = Eigen::SparseMatrix<double>;  ///< the lower triangle of a symmetric one
 
-/// Total Lagrangian finite elements of second order (docs/method_solid.md, S20 to S23). Vectors go over the
-/// unknowns: the components of the free nodes' displacement, node after node.
+/// Total Lagrangian finite elements of second order, whose dilatation is linear in each element, so that they
+/// do not lock near incompressibility (docs/method_solid.md, S20 to S23, S43). Vectors go over the unknowns:
+/// the components of the free nodes' displacement, node after node.
 template <int dim>
 class FemBody {
  public:
@@ -61,14 +62,22 @@ class FemBody {
   using Nodal = Eigen::Matrix<double, dim, Element::nodes>;
   using Stiffness = Eigen::Matrix<double, components, components>;
 
-  /// Gradients by X and the volume of one Gauss point.
+  /// One Gauss point. The linear functions of X are orthonormal over the element.
   struct Quadrature {
-    typename Element::Gradients gradients;  // [1/m]
-    double volume;                          // [m^dim]
+    typename Element::Gradients gradients;     // by X [1/m]
+    double volume;                             // [m^dim]
+    Eigen::Matrix<double, dim + 1, 1> linear;  // [m^(-dim/2)]
   };
   using Quadratures = std::array<Quadrature, Element::nodes>;
 
+  /// Of an element's Gauss points.
+  struct Strains {
+    std::array<Mat<dim>, Element::nodes> H;
+    std::array<double, Element::nodes> dilatation;  // what lambda resists (S43)
+  };
+
   void make_quadratures();
+  Strains strains(const Nodal& u, const Quadratures& points) const;
   const Quadratures& quadratures(Eigen::Index element) const {
     return quadratures_[mesh_.even() ? 0 : static_cast<std::size_t>(element)];
   }
@@ -80,6 +89,7 @@ class FemBody {
   void scatter(const Stiffness& part, Eigen::Index element, Matrix& whole) const;
 
   Elasticity material_;
+  bool linear_dilatation_;  // not in plane stress, where the thickness gives way
   Mesh<dim> mesh_;
   std::vector<Quadratures> quadratures_;  // of each element; one where they are all the same
   std::vector<Eigen::Index> component_;   // node * dim + axis of each unknown
