@@ -30,7 +30,7 @@ Mat<dim> green_strain(const Mat<dim>& H) {
 /// neo-Hookean one; in the plane of a scene of two dimensions.
 template <int dim>
 double dilatation(const Mat<dim>& H, const Elasticity& m) {
-  if (!m.neo_hookean) return green_strain<dim>(H).trace();
+  if (!m.neo_hookean) return H.trace() + 0.5 * H.squaredNorm();
   return std::log(std::max((Mat<dim>::Identity() + H).determinant(), 1e-300));
 }
 

@@ -36,6 +36,7 @@ struct Block {
 /// Displacements, velocities and forces are 2 x nodes; `angle` is the mean rotation of a deformation.
 class FemSample {
  public:
+  static constexpr double poisson_ratio = 0.3;
   static constexpr double clear_of_faces = 1e-6;  ///< [m] from where on a node is inside
   static constexpr double conserves =
       1e-7;  ///< momenta: the balance of forces is 1e-10 of the largest, 200 times
@@ -78,6 +79,7 @@ class FemSample {
 template <typename Body>
 class ParticleSample {
  public:
+  static constexpr double poisson_ratio = 0.3;
   static constexpr double clear_of_faces = 5 * l0;  // neighbours of neighbours
   Field sites() const {
     Field X(2, body_.particles());
@@ -168,6 +170,21 @@ class HamiltonianSample : public ParticleSample<hamiltonian::HamiltonianBody<2>>
     const Field x = sites() + body_.displacement(), v = body_.velocity();
     const double turning = (x.row(0).cwiseProduct(v.row(1)) - x.row(1).cwiseProduct(v.row(0))).sum();
     return {momentum()[0], momentum()[1], body_.particle_mass() * turning};
+  }
+};
+
+/// The same, nearly incompressible.
+template <typename Sample>
+class Rubber : public Sample {
+ public:
+  static constexpr double poisson_ratio = 0.49;
+
+  explicit Rubber(const Block& block) : Sample(nearly_incompressible(block)) {}
+
+ private:
+  static Block nearly_incompressible(Block block) {
+    block.poisson_ratio = poisson_ratio;
+    return block;
   }
 };
 

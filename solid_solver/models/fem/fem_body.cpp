@@ -45,14 +45,13 @@ void FemBody<dim>::make_quadratures() {
 template <int dim>
 typename FemBody<dim>::Strains FemBody<dim>::strains(const Nodal& u, const Quadratures& points) const {
   Strains all;
-  Eigen::Matrix<double, dim + 1, 1> linear = Eigen::Matrix<double, dim + 1, 1>::Zero();
-  for (std::size_t g = 0; g < points.size(); ++g) {
-    all.H[g] = u * points[g].gradients;
-    all.dilatation[g] = dilatation<dim>(all.H[g], material_);
-    linear += points[g].volume * all.dilatation[g] * points[g].linear;
-  }
-  for (std::size_t g = 0; g < points.size() && linear_dilatation_; ++g)
-    all.dilatation[g] = linear.dot(points[g].linear);
+  for (std::size_t g = 0; g < points.size(); ++g) all.H[g] = u * points[g].gradients;
+  for (std::size_t g = 0; g < points.size(); ++g) all.dilatation[g] = dilatation<dim>(all.H[g], material_);
+  if (!linear_dilatation_) return all;
+  Eigen::Matrix<double, dim + 1, 1> fit = Eigen::Matrix<double, dim + 1, 1>::Zero();
+  for (std::size_t g = 0; g < points.size(); ++g)
+    fit += points[g].volume * all.dilatation[g] * points[g].linear;
+  for (std::size_t g = 0; g < points.size(); ++g) all.dilatation[g] = fit.dot(points[g].linear);
   return all;
 }
 
@@ -134,8 +133,10 @@ typename FemBody<dim>::Nodal FemBody<dim>::gather(const Vector& u, Eigen::Index 
 
 template <int dim>
 typename FemBody<dim>::InternalForce FemBody<dim>::internal_force(const Vector& u) const {
-  InternalForce result{
-      .force = Vector::Zero(unknowns()), .gross = 0, .least_volume = std::numeric_limits<double>::infinity()};
+  InternalForce result{.force = Vector::Zero(unknowns()),
+                       .gross = 0,
+                       .least_volume = std::numeric_limits<double>::infinity(),
+                       .flattest = 0};
   for (Eigen::Index e = 0; e < mesh_.elements(); ++e) {
     const Strains strained = strains(gather(u, e), quadratures(e));
     Nodal force = Nodal::Zero();
@@ -144,7 +145,9 @@ typename FemBody<dim>::InternalForce FemBody<dim>::internal_force(const Vector& 
       const Mat<dim> F = Mat<dim>::Identity() + strained.H[g];
       const Mat<dim> S = respond<dim>(strained.H[g], strained.dilatation[g], material_).S;
       force += q.volume * (F * S) * q.gradients.transpose();
-      result.least_volume = std::min(result.least_volume, F.determinant());
+      const double volume = F.determinant();
+      if (volume < result.least_volume) result.flattest = e;
+      result.least_volume = std::min(result.least_volume, volume);
     }
     result.gross = std::max(result.gross, force.cwiseAbs().maxCoeff());
     for (int a = 0; a < Element::nodes; ++a) {

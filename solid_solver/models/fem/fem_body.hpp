@@ -21,9 +21,10 @@ class FemBody {
  public:
   /// Forces of a displacement, and what tells whether they mean anything.
   struct InternalForce {
-    Vector force;         ///< [N]
-    double gross;         ///< largest component of one element's force on a node: the scale of rounding [N]
-    double least_volume;  ///< smallest det F: 0 and less where an element is turned inside out
+    Vector force;           ///< [N]
+    double gross;           ///< largest component of one element's force on a node: the scale of rounding [N]
+    double least_volume;    ///< smallest det F: 0 and less where an element is turned inside out
+    Eigen::Index flattest;  ///< the element that has it
   };
 
   /// Largest values over the elements' nodes; over their Gauss points where they are fitted to an outline.
@@ -46,6 +47,8 @@ class FemBody {
   const Vector& weight() const { return weight_; }  ///< gravity's force [N]
   double elastic_energy(const Vector& u) const;     ///< [J]
   Vector momentum(const Vector& v) const;           ///< M v
+  /// Largest force by which the stiffness of the undeformed body answers to one node's displacement [N/m].
+  double largest_stiffness() const { return tangent(Vector::Zero(unknowns())).diagonal().maxCoeff(); }
   Deformation deformation(const Vector& u) const;
 
   /// Grad u in a point of an element, d u_i / d X_j [-]; of a fitted element in its part between Gauss points

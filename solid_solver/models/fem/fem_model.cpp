@@ -11,6 +11,10 @@ namespace {
 
 constexpr double whole = 1e-6;  // of a sub-step: a window of 20.0000001 sub-steps is one of 20
 
+// Stretch of St. Venant-Kirchhoff's material under the largest pressure that it stands along one axis with
+// Poisson's ratio 0, 1 / sqrt(3).
+constexpr double gives_way = 0.577;
+
 }  // namespace
 
 template <int dim>
@@ -51,13 +55,28 @@ template <int dim>
 void FemModel<dim>::check_step(const NewtonReport& report, const Window& window, std::size_t body,
                                double dt) const {
   if (report.converged) return;
+  const Mesh<dim>& mesh = bodies_.bodies()[body].mesh();
+  const Vec<dim> near = mesh.corners(report.flattest).rowwise().mean();
+  const std::string where =
+      fmt::format("in body {}, near ({:.4g}) when undeformed, in the window from t = {:.6g} s", body,
+                  fmt::join(near.begin(), near.end(), ", "), window.start);
+  if (!bodies_.material().neo_hookean && report.least_volume < gives_way)
+    throw NumericalError(fmt::format(
+        "solid: the material collapses {}: an element is left with {:.2g} of its volume{}. "
+        "st_venant_kirchhoff gives way where it is compressed below {:.2f} of its length, whatever the step; "
+        "solid.material = \"neo_hookean\" stiffens instead",
+        where, report.least_volume, report.least_volume <= 0 ? ", turned inside out" : "", gives_way));
+  const std::string remedy = fmt::format(
+      "The step of {:.3g} s is too long for this motion (solid.fem.substep = {:.2g}), or the load runs away "
+      "(coupling.load = \"ramped\", a shorter time.window, or a heavier body)",
+      dt, dt / 4);
+  if (report.least_volume <= 0)
+    throw NumericalError(fmt::format("solid: an element {} is turned inside out: {:.2g} of its volume. {}",
+                                     where, report.least_volume, remedy));
   throw NumericalError(fmt::format(
-      "solid: no balance of forces in body {} in the window from t = {:.6g} s: after {} Newton iterations "
-      "with "
-      "a step of {:.3g} s the residual is {:.2g} of the largest force, the smallest volume ratio {:.2g}. The "
-      "step is too long for this motion (lower solid.fem.substep), or the load runs away (coupling.load = "
-      "\"ramped\", a shorter time.window, or a heavier body)",
-      body, window.start, report.iterations, dt, report.residual, report.least_volume));
+      "solid: no balance of forces {}: after {} Newton iterations the residual is {:.2g} of the largest "
+      "force, and must be {:.0e}; the smallest volume ratio is {:.2g}. {}",
+      where, report.iterations, report.residual, NewtonReport::tolerance, report.least_volume, remedy));
 }
 
 template <int dim>

@@ -7,7 +7,9 @@
 namespace cosurge::fem {
 namespace {
 
-constexpr double tolerance = 1e-10;  // of the gross forces, whose rounding is 1e-14
+// Of the stiffness times the displacement: the largest that rounding makes of the forces of a body without
+// strain is 3e-15 of it (turning freely in space).
+constexpr double rounding = 2e-14;
 constexpr int most_iterations = 30;
 constexpr double slow = 0.1;  // of the residual left by an iteration: a new tangent costs as much as ten
 constexpr double near = 0.1;  // of the step: beyond it the tangent of another one is not tried
@@ -21,6 +23,7 @@ GeneralisedAlpha<dim>::GeneralisedAlpha(const FemBody<dim>& body, double rho_inf
     : body_(body),
       constants_(rho_infinity),
       damping_rate_(damping_rate),
+      stiffness_(body.largest_stiffness()),
       u_(Vector::Zero(body.unknowns())),
       v_(Vector::Zero(body.unknowns())),
       a_(Vector::Zero(body.unknowns())),
@@ -41,7 +44,7 @@ template <int dim>
 NewtonReport GeneralisedAlpha<dim>::step(const Vector& load, double dt) {
   const Vector external = load + body_.weight();
   const bool alike = std::abs(dt - tangent_dt_) <= near * dt;
-  NewtonReport report{.iterations = 0, .residual = 0, .least_volume = 1, .converged = false};
+  NewtonReport report{.iterations = 0, .residual = 0, .least_volume = 1, .flattest = 0, .converged = false};
   Vector a;
   if (alike) report = balance(external, dt, Tangent::kept, a);
   if (!report.converged) {
@@ -66,7 +69,7 @@ NewtonReport GeneralisedAlpha<dim>::balance(const Vector& external, double dt, T
   const Vector start = coasting(dt);
   // From the displacement before: a stiff body's acceleration tells nothing of its next one.
   a = (u_ - start) / (beta * dt * dt);
-  NewtonReport report{.iterations = 0, .residual = 0, .least_volume = 1, .converged = false};
+  NewtonReport report{.iterations = 0, .residual = 0, .least_volume = 1, .flattest = 0, .converged = false};
   double before = std::numeric_limits<double>::infinity();
   while (true) {
     const Vector u = (1 - alpha_f) * (start + beta * dt * dt * a) + alpha_f * u_;
@@ -75,10 +78,13 @@ NewtonReport GeneralisedAlpha<dim>::balance(const Vector& external, double dt, T
     const Vector inertia = body_.momentum((1 - alpha_m) * a + alpha_m * a_ + damping_rate_ * v);
     const Vector residual = external - internal.force - inertia;
     const double gross = std::max({internal.gross, largest(external), largest(inertia)});
-    report.residual = gross > 0 ? largest(residual) / gross : 0;
+    const double left = largest(residual);
+    report.residual = gross > 0 ? left / gross : 0;
     report.least_volume = internal.least_volume;
+    report.flattest = internal.flattest;
+    const double accepted = std::max(NewtonReport::tolerance * gross, rounding * stiffness_ * largest(u));
     // One pass at least: forces that are small beside the gross ones move the body too.
-    const bool settled = gross == 0 || (report.residual <= tolerance && report.iterations > 0);
+    const bool settled = gross == 0 || (left <= accepted && report.iterations > 0);
     report.converged = settled && internal.least_volume > 0;
     if (settled || !std::isfinite(residual.sum()) || report.iterations == most_iterations) return report;
     if (tangent == Tangent::kept && report.residual > slow * before) return report;

@@ -24,9 +24,12 @@ struct AlphaConstants {
 /// How a step's Newton iteration went.
 struct [[nodiscard]] NewtonReport {
   int iterations;
-  double residual;      ///< over the largest force of the balance [-]
-  double least_volume;  ///< smallest det F
-  bool converged;       ///< false as well where an element is turned inside out
+  double residual;        ///< over the largest force of the balance [-]
+  double least_volume;    ///< smallest det F
+  Eigen::Index flattest;  ///< the element that has it
+  bool converged;         ///< false as well where an element is turned inside out
+
+  static constexpr double tolerance = 1e-10;  ///< of the residual
 };
 
 /// The motion of one body.
@@ -42,9 +45,10 @@ class GeneralisedAlpha {
   /// The acceleration of the first step, in balance with the load [N] before it; later calls do nothing.
   void start(const Vector& load);
 
-  /// One step of dt [s] under a load [N] by Newton's method with a direct solver; the factors of the last
-  /// tangent are kept as long as they do. The state is of no use where the report says that it did not
-  /// converge.
+  /// One step of dt [s] under a load [N] by Newton's method with a direct solver, until the residual is the
+  /// tolerance of the largest force, or what rounding makes of forces where the displacement is large: of a
+  /// body that flies or turns freely. The factors of the last tangent are kept as long as they do. The state
+  /// is of no use where the report says that it did not converge.
   NewtonReport step(const Vector& load, double dt);
 
   const Vector& displacement() const { return u_; }  ///< [m]
@@ -66,6 +70,7 @@ class GeneralisedAlpha {
   const FemBody<dim>& body_;
   AlphaConstants constants_;
   double damping_rate_;
+  double stiffness_;  // largest of the undeformed body [N/m]
   Eigen::SimplicialLDLT<Matrix> solver_;
   Vector u_, v_, a_;
   Vector tangent_at_;      // the displacement and the step of the factors

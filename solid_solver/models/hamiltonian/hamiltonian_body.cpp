@@ -18,7 +18,7 @@ using particles::Lanes;
 template <int dim>
 HamiltonianBody<dim>::HamiltonianBody(const v1::Body& body, int index, const particles::Stencil<dim>& stencil,
                                       const particles::Substance<dim>& substance, double stabilisation)
-    : Base(body, index, stencil, substance) {
+    : Base(body, index, stencil, substance), lambda_(particles::lambda_of_particles(substance.material)) {
   double second_moment = 0;
   for (const auto& n : stencil.neighbors) {
     Neighbor neighbor{.shift = grid_.shift(n.offset), .w = n.w, .r0 = {}};
@@ -35,6 +35,7 @@ HamiltonianBody<dim>::HamiltonianBody(const v1::Body& body, int index, const par
   for (auto* tensors : {&inverse_shape_, &pull_, &gradient_})
     for (auto& row : *tensors) row.fill(zero);
   sum_geometry();
+  if (material.lambda() > lambda_) cells_.emplace(grid_, present_, stencil.spacing, material);
 }
 
 template <int dim>
@@ -125,7 +126,7 @@ template <int dim>
 void HamiltonianBody<dim>::put_stress(const Tensor& H, const Tensor& later, Eigen::Index i) const {
   const Elasticity& material = substance_.material;
   const double per_mass = 1 / material.density;
-  const Stress<dim> stress(later, material.lambda(), material.mu());
+  const Stress<dim> stress(later, lambda_, material.mu());
   for (int a = 0; a < dim; ++a) {
     std::array<Lanes, dim> P;
     for (int b = 0; b < dim; ++b) {
@@ -146,13 +147,18 @@ void HamiltonianBody<dim>::measure_stress(const Vectors& u) const {
     const Tensor H = displacement_gradient(u, i);
     put_stress(H, H, i);
   }
+  if (cells_) cells_->measure(u, velocity_, 0);
 }
 
 template <int dim>
 particles::LaneVec<dim> HamiltonianBody<dim>::internal_acceleration(const Vectors& u, Eigen::Index i) const {
   particles::LaneVec<dim> a;
+  if (cells_)
+    a = cells_->acceleration(i);
+  else
+    for (Lanes& component : a) component.setZero();
   for (int k = 0; k < dim; ++k) {
-    a[k] = -hold_ * at(weight_, i) * at(u[k], i);
+    a[k] -= hold_ * at(weight_, i) * at(u[k], i);
     for (int b = 0; b < dim; ++b) a[k] += at(pull_[k][b], i) * at(first_moment_[b], i);
   }
   for (const Neighbor& n : neighbors_) {
@@ -192,6 +198,7 @@ void HamiltonianBody<dim>::accelerate(double dt, double load_fraction) {
     const Tensor H = displacement_gradient(displacement_, i);
     put_stress(H, later_gradient(H, i, dt), i);
   }
+  if (cells_) cells_->measure(displacement_, velocity_, substance_.retardation);
   for (Eigen::Index i = grid_.first_slot(); i < grid_.last_slot(); i += grid_.lanes) {
     const particles::LaneVec<dim> a = internal_acceleration(displacement_, i);
     for (int c = 0; c < dim; ++c) {
@@ -207,6 +214,7 @@ template <int dim>
 Energies HamiltonianBody<dim>::energies(double) const {
   const Elasticity& material = substance_.material;
   Lanes kinetic = Lanes::Zero(), elastic = Lanes::Zero(), gravity = Lanes::Zero();
+  if (cells_) cells_->measure(displacement_, velocity_, 0);
   for (Eigen::Index i = grid_.first_slot(); i < grid_.last_slot(); i += grid_.lanes) {
     const Tensor H = displacement_gradient(displacement_, i);
     Lanes unseen = Lanes::Zero();  // sum of w |d - H r0|^2
@@ -218,8 +226,9 @@ Energies HamiltonianBody<dim>::energies(double) const {
         unseen += n.w * at(present_, i + n.shift) * e * e;
       }
     }
-    elastic += at(present_, i) * (Stress<dim>(H, material.lambda(), material.mu()).energy / material.density +
-                                  0.25 * hold_ * unseen);
+    elastic += at(present_, i) *
+               (Stress<dim>(H, lambda_, material.mu()).energy / material.density + 0.25 * hold_ * unseen);
+    if (cells_) elastic += cells_->energy(i);
     for (int k = 0; k < dim; ++k) {
       kinetic += 0.5 * at(velocity_[k], i).square();
       gravity -= substance_.gravity[k] * at(displacement_[k], i);
@@ -300,7 +309,9 @@ std::unique_ptr<SolidModel> make_hamiltonian(const v1::Solid& solid, double spac
           const particles::Substance<dim>& substance) {
         return std::make_unique<HamiltonianBody<dim>>(body, number, stencil, substance,
                                                       solid.hamiltonian().stabilisation());
-      });
+      },
+      ". Or the material, st_venant_kirchhoff, has given way in compression (solid.model = \"fem\" with "
+      "solid.material = \"neo_hookean\")");
 }
 
 template class HamiltonianBody<2>;

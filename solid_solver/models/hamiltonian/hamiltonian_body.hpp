@@ -1,8 +1,10 @@
 // One body of particles whose forces derive from one energy.
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "solid_solver/models/particles/cell_dilatation.hpp"
 #include "solid_solver/models/particles/particle_model.hpp"
 
 namespace cosurge::hamiltonian {
@@ -63,6 +65,8 @@ class HamiltonianBody : public particles::ParticleBody<dim> {
   Tensors gradient_;       // H of the sub-step before
   Vectors acceleration_;   // internal, of the present displacement and the velocity half a step before
   bool fresh_ = false;     // whether acceleration_ is
+  double lambda_;          // of the particles [Pa]
+  std::optional<particles::CellDilatation<dim>> cells_;  // where Poisson's ratio is near 1/2 (S42)
 };
 
 /// The model `hamiltonian` of a case.

@@ -33,7 +33,7 @@ MpsBody<dim>::MpsBody(const v1::Body& body, int index, const particles::Stencil<
               .length = n.length,
               .spring = 4 * d_n0 * material.mu() / material.density / (n.length * n.length),
               .stretch = d_n0 / n.length,
-              .pull = material.lambda() / material.density * d_n0 / n.length};
+              .pull = particles::lambda_of_particles(material) / material.density * d_n0 / n.length};
     for (int k = 0; k < dim; ++k) bond.r0[k] = n.r0[k];
     bonds_.push_back(bond);
   }
@@ -45,6 +45,8 @@ MpsBody<dim>::MpsBody(const v1::Body& body, int index, const particles::Stencil<
   later_displacement_ = displacement_;
   later_rotation_ = rotation_;
   for (std::size_t p = 0; p < grid_.positions().size(); ++p) turns_[grid_.slot(p)] = grid_.held(p) ? 0 : 1;
+  if (material.lambda() > particles::lambda_of_particles(material))
+    cells_.emplace(grid_, weights_.dilates, stencil.spacing, material);
 }
 
 template <int dim>
@@ -54,6 +56,7 @@ void MpsBody<dim>::advance(int substeps, double dt) {
     const double load_fraction = (k + 0.5) / substeps;
     const Pose strained = substance_.retardation > 0 ? look_ahead() : present();
     if (dilatational_) measure_dilatation(strained);
+    if (cells_) cells_->measure(displacement_, velocity_, substance_.retardation);
     accelerate(strained, dt, load_fraction);
     move(dt, load_fraction);
   }
@@ -102,10 +105,19 @@ void MpsBody<dim>::measure_dilatation(const Pose& strained) const {
 }
 
 template <int dim>
+void MpsBody<dim>::measure_at_rest() const {
+  if (dilatational_) measure_dilatation(present());
+  if (cells_) cells_->measure(displacement_, velocity_, 0);
+}
+
+template <int dim>
 typename MpsBody<dim>::Acceleration MpsBody<dim>::internal_acceleration(const Pose& strained,
                                                                         Eigen::Index i) const {
   Acceleration a;
-  for (Lanes& component : a.linear) component.setZero();
+  if (cells_)
+    a.linear = cells_->acceleration(i);
+  else
+    for (Lanes& component : a.linear) component.setZero();
   for (Lanes& component : a.angular) component.setZero();
   a.spring_energy.setZero();
   const Rot rotation = strained.rotation_at(i);
@@ -207,7 +219,7 @@ double MpsBody<dim>::highest_frequency() const {
     const double scale = 1e-7 * stencil_.spacing / x.norm();
     for (std::size_t m = 0; m < unknowns.size(); ++m)
       *unknowns[m].coordinate = scale * x[m] * (unknowns[m].component < dim ? 1 : 0.5 / gyration);
-    if (dilatational_) moved.measure_dilatation(moved.present());
+    moved.measure_at_rest();
     std::vector<Slots> a(dim + Rot::spins, Slots::Zero(grid_.slots()));
     for (Eigen::Index i = grid_.first_slot(); i < grid_.last_slot(); i += grid_.lanes) {
       const Acceleration lanes = moved.internal_acceleration(moved.present(), i);
@@ -225,7 +237,7 @@ template <int dim>
 Field MpsBody<dim>::acceleration() const {
   std::array<Slots, dim> values;
   values.fill(Slots::Zero(grid_.slots()));
-  if (dilatational_) measure_dilatation(present());
+  measure_at_rest();
   for (Eigen::Index i = grid_.first_slot(); i < grid_.last_slot(); i += grid_.lanes) {
     const Acceleration a = internal_acceleration(present(), i);
     for (int k = 0; k < dim; ++k) at(values[k], i) = a.linear[k];
@@ -250,8 +262,9 @@ typename MpsBody<dim>::Axial MpsBody<dim>::angular_momentum() const {
 template <int dim>
 Energies MpsBody<dim>::energies(double dt) const {
   const double inertia = stencil_.spacing * stencil_.spacing / 6;
+  const double lambda = particles::lambda_of_particles(substance_.material) / substance_.material.density;
   Lanes kinetic = Lanes::Zero(), elastic = Lanes::Zero(), gravity = Lanes::Zero();
-  if (dilatational_) measure_dilatation(present());
+  measure_at_rest();
   for (Eigen::Index i = grid_.first_slot(); i < grid_.last_slot(); i += grid_.lanes) {
     const Acceleration a = internal_acceleration(present(), i);
     for (int k = 0; k < dim; ++k) {
@@ -266,9 +279,8 @@ Energies MpsBody<dim>::energies(double dt) const {
       kinetic += 0.5 * inertia * spin * spin;
     }
     // A pair's energy spring |u|^2 / 2 is halved between its two particles.
-    elastic += at(present_, i) *
-               (0.25 * a.spring_energy + 0.5 * substance_.material.lambda() / substance_.material.density *
-                                             at(dilatation_, i).square());
+    elastic += at(present_, i) * (0.25 * a.spring_energy + 0.5 * lambda * at(dilatation_, i).square());
+    if (cells_) elastic += cells_->energy(i);
   }
   return {
       .kinetic = mass_ * kinetic.sum(), .elastic = mass_ * elastic.sum(), .gravity = mass_ * gravity.sum()};

@@ -1,10 +1,12 @@
 // One body of explicit MPS particles with rotation as an unknown.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "solid_solver/models/mps/pair_weights.hpp"
 #include "solid_solver/models/mps/rotation.hpp"
+#include "solid_solver/models/particles/cell_dilatation.hpp"
 #include "solid_solver/models/particles/particle_model.hpp"
 
 namespace cosurge::mps {
@@ -59,7 +61,7 @@ class MpsBody : public particles::ParticleBody<dim> {
     double length;               // [m]
     double spring;               // 4 d mu / (rho n0 r0^2), for the weight 1 [1/s2]
     double stretch;              // d / (n0 r0): dilatation by elongation, for the weight 1 [1/m]
-    double pull;                 // lambda / rho * stretch [m/s2]
+    double pull;                 // lambda of particles / rho * stretch [m/s2]
   };
   struct Acceleration {
     LaneVec<dim> linear;
@@ -80,6 +82,7 @@ class MpsBody : public particles::ParticleBody<dim> {
   Pose present() const { return {displacement_, rotation_}; }
   Pose look_ahead();
   void measure_dilatation(const Pose& strained) const;
+  void measure_at_rest() const;  // without what the velocities add to strains
   Acceleration internal_acceleration(const Pose& strained, Eigen::Index i) const;
   void accelerate(const Pose& strained, double dt, double load_fraction);
   void move(double dt, double load_fraction);
@@ -93,6 +96,7 @@ class MpsBody : public particles::ParticleBody<dim> {
   Rotations later_rotation_;
   std::array<Slots, Rot::spins> spin_;
   mutable Slots dilatation_;
+  std::optional<particles::CellDilatation<dim>> cells_;  // where Poisson's ratio is near 1/2 (S42)
 };
 
 /// The model `mps` of a case.

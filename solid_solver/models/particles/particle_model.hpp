@@ -23,6 +23,8 @@ class ParticleModel : public SolidModel {
     double stable;     ///< [s]
     double fraction;   ///< of it
     double fixed = 0;  ///< instead [s], where not 0
+    std::string else_runs_away =
+        {};  ///< what else than a step or a load makes particles run away, and a remedy
   };
 
   /// @throws Error for a fixed sub-step beyond the stable one.
@@ -75,7 +77,8 @@ inline double stable_step(double highest, double retardation) {
 template <int dim, typename Parameters, typename MakeBody>
 std::unique_ptr<SolidModel> make_particle_model(const v1::Solid& solid, double spacing,
                                                 const Vec<dim>& gravity, const Parameters& parameters,
-                                                const std::string& key, MakeBody&& make_body) {
+                                                const std::string& key, MakeBody&& make_body,
+                                                const std::string& else_runs_away = {}) {
   const Stencil<dim> stencil = full_stencil<dim>(spacing, parameters.re());
   const Elasticity material = elasticity_of<dim>(solid);
   const std::vector<double> damping = damping_rates<dim>(solid);
@@ -96,7 +99,8 @@ std::unique_ptr<SolidModel> make_particle_model(const v1::Solid& solid, double s
       typename ParticleModel<dim>::Steps{.key = key,
                                          .stable = stable_step(highest, retardation),
                                          .fraction = parameters.step_fraction(),
-                                         .fixed = parameters.substep()});
+                                         .fixed = parameters.substep(),
+                                         .else_runs_away = else_runs_away});
 }
 
 }  // namespace cosurge::particles

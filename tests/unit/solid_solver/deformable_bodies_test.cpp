@@ -15,7 +15,8 @@ namespace {
 template <typename Sample>
 class DeformableBody : public testing::Test {};
 
-using Samples = testing::Types<CorrectedSample, PaperSample, FemSample, HamiltonianSample>;
+using Samples = testing::Types<CorrectedSample, PaperSample, FemSample, HamiltonianSample,
+                               Rubber<CorrectedSample>, Rubber<FemSample>, Rubber<HamiltonianSample>>;
 
 class SampleNames {
  public:
@@ -24,6 +25,9 @@ class SampleNames {
     if constexpr (std::is_same_v<Sample, CorrectedSample>) return "mps";
     if constexpr (std::is_same_v<Sample, PaperSample>) return "mps_paper";
     if constexpr (std::is_same_v<Sample, FemSample>) return "fem";
+    if constexpr (std::is_same_v<Sample, Rubber<CorrectedSample>>) return "mps_rubber";
+    if constexpr (std::is_same_v<Sample, Rubber<FemSample>>) return "fem_rubber";
+    if constexpr (std::is_same_v<Sample, Rubber<HamiltonianSample>>) return "hamiltonian_rubber";
     return "hamiltonian";
   }
 };
@@ -53,7 +57,7 @@ Field bent(const Field& X) {
 }
 
 TYPED_TEST(DeformableBody, AffineMotionIsInBalanceInside) {
-  const Block block;
+  const Block block{.poisson_ratio = TypeParam::poisson_ratio};
   TypeParam sample(block);
   const Field X = sample.sites();
   const double angle = 0.5, width = block.columns * l0, height = block.rows * l0;
@@ -175,13 +179,14 @@ TEST(HamiltonianBody, StatesTheFrequencyOfItsFastestMotion) {
 
 template <typename Sample>
 class ExplicitBody : public testing::Test {};
-using ExplicitSamples = testing::Types<CorrectedSample, PaperSample, HamiltonianSample>;
+using ExplicitSamples = testing::Types<CorrectedSample, PaperSample, HamiltonianSample,
+                                       Rubber<CorrectedSample>, Rubber<HamiltonianSample>>;
 TYPED_TEST_SUITE(ExplicitBody, ExplicitSamples, SampleNames);
 
 TYPED_TEST(ExplicitBody, RunsBelowItsStableStepAndFailsAboveIt) {
   using Case = std::pair<double, double>;  // Poisson's ratio, viscosity
-  for (const auto& [nu, viscosity] :
-       {Case(0, 0), Case(0.3, 0), Case(0.45, 0), Case(0.49, 0), Case(0, 0.2), Case(0.3, 0.2)}) {
+  for (const auto& [nu, viscosity] : {Case(0, 0), Case(0.3, 0), Case(0.45, 0), Case(0.49, 0), Case(0, 0.2),
+                                      Case(0.3, 0.2), Case(0.49, 0.2)}) {
     const Block block{.columns = 6, .rows = 12, .clamped = true, .poisson_ratio = nu, .viscosity = viscosity};
     TypeParam below(block), above(block);
     std::mt19937_64 random(7);
@@ -208,7 +213,7 @@ TYPED_TEST(ExplicitBody, AViscousOneKeepsItsMomenta) {
 // A body that is undeformed and is being stretched with v has the stress that it would have, moved by tau v
 // (S40).
 TYPED_TEST(ExplicitBody, ViscousForcesAreThoseOfTheMotionInTheRetardationTime) {
-  const Block block{.columns = 8, .rows = 12, .viscosity = 0.5};
+  const Block block{.columns = 8, .rows = 12, .poisson_ratio = TypeParam::poisson_ratio, .viscosity = 0.5};
   const double tau = substance_of(block).retardation;
   TypeParam moving(block), moved(block);
   const Field v = 1e-3 * (stretch() - Mat<2>::Identity()) * moving.sites();  // tau v is a strain of 1e-9
