@@ -117,6 +117,17 @@ std::unique_ptr<Recorder> make_recorder(const fs::path& folder, const v1::Case& 
   return recorder;
 }
 
+/// A linear model that has left its range (docs/method_solid.md, section 6).
+void warn_of_deflection(const Recorder& recorder) {
+  constexpr double small = 0.05;
+  const History* deflection = recorder.history("solid/largest_deflection");
+  if (deflection == nullptr || deflection->max().value <= small) return;
+  say("warning: unreliable result: a body bends by {:.3g} % of its length at t = {:.4g} s; the model modal "
+      "is "
+      "linear and valid up to {:.0f} %; use solid.model = \"fem\"\n",
+      100 * deflection->max().value, deflection->max().time, 100 * small);
+}
+
 /// The run once the solvers are there. Returns the exit status.
 int run_with(Solvers& solvers, const v1::Case& the_case, const fs::path& folder,
              const Checkpoint* checkpoint) {
@@ -163,6 +174,7 @@ int run_with(Solvers& solvers, const v1::Case& the_case, const fs::path& folder,
     say("not to be trusted: the coupling scheme itself has put {:.2g} J into the system, where {:.2g} J have "
         "passed; take coupling.scheme = \"strong\" or what docs/stability.md has instead\n",
         account.created(), account.passed());
+  warn_of_deflection(*recorder);
   if (exit_status != 0) say("to go on: cosurge resume {}\n", folder.string());
   return exit_status;
 }

@@ -59,6 +59,8 @@ Json participants(const Recorder& recorder) {
     const History* substeps = recorder.history(member.name + "/substeps");
     entry["steps"] = substeps ? Json(static_cast<std::uint64_t>(substeps->sum())) : Json(recorder.windows());
     if (recorder.history(member.name + "/lost")) entry["lost"] = last(recorder, member.name + "/lost");
+    if (const History* deflection = recorder.history(member.name + "/largest_deflection"))
+      entry["largest_deflection"] = deflection->max().value;
     entry["seconds"] = seconds(recorder, member.name);
   }
   return participants;

@@ -92,6 +92,16 @@ void Programs::run_whole_and_cut(const std::vector<std::string>& arguments) {
   expect_same_bits(folder("whole"), folder("cut"));
 }
 
+TEST_F(Programs, ALinearModelThatLeftItsRangeSaysSo) {
+  Program bent = start("bent", {"--set", "solid.model=modal", "solid.young_modulus=2e4", "time.end=0.3"});
+  ASSERT_EQ(bent.wait(patience), 0) << bent.output();
+  EXPECT_NE(bent.output().find("the model modal is linear, for 5 % at most"), std::string::npos)
+      << bent.output();
+  Program stiff = start("stiff", {"--set", "solid.model=modal", "solid.young_modulus=1e9", "time.end=0.3"});
+  ASSERT_EQ(stiff.wait(patience), 0) << stiff.output();
+  EXPECT_EQ(stiff.output().find("linear"), std::string::npos) << stiff.output();
+}
+
 TEST_F(Programs, ThreeProcessesAndOneGiveTheSameBits) {
   run("processes", {});
   run("threads", {"--in-process"});

@@ -1,5 +1,7 @@
 #include "solid_solver/models/modal/modal_model.hpp"
 
+#include <algorithm>
+
 #include "common/error.hpp"
 #include "common/state_bytes.hpp"
 #include "solid_solver/damping.hpp"
@@ -86,7 +88,25 @@ Energies ModalModel<dim>::energies() const {
 template <int dim>
 std::vector<double> ModalModel<dim>::values() const {
   const auto largest = bodies_.deformation(motion(&OscillatorState::position));
-  return {largest.rotation, largest.strain};
+  return {largest.rotation, largest.strain, largest_deflection()};
+}
+
+/// Displacement of a node but for the free motion as a whole, over the longest side of its body.
+template <int dim>
+double ModalModel<dim>::largest_deflection() const {
+  double largest = 0;
+  for (std::size_t b = 0; b < modes_.size(); ++b) {
+    const fem::FemBody<dim>& body = bodies_.bodies()[b];
+    fem::Vector amplitudes = fem::Vector::Zero(weight_[b].size());
+    for (std::size_t i = 0; i < states_[b].size(); ++i) {
+      const auto mode = static_cast<Eigen::Index>(i);
+      if (modes_[b].omega_squared[mode] > 0) amplitudes[mode] = states_[b][i].position;
+    }
+    const Box<dim>& bounds = body.mesh().shape().bounds();
+    const Field u = body.to_nodes(modes_[b].shapes * amplitudes);
+    largest = std::max(largest, u.colwise().norm().maxCoeff() / (bounds.max - bounds.min).maxCoeff());
+  }
+  return largest;
 }
 
 template <int dim>

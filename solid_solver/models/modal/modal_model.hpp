@@ -8,8 +8,8 @@
 namespace cosurge::modal {
 
 /// u = sum phi_i eta_i about the undeformed bodies, each mode advanced exactly over the window, with
-/// `solid.damping_ratio`. For small deflection only: rotation and strain are reported, so that a user sees
-/// where that ends.
+/// `solid.damping_ratio`. For small deflection only: deflection, rotation and strain are reported, so that a
+/// user sees where that ends, and `cosurge run` says it.
 template <int dim>
 class ModalModel : public SolidModel {
  public:
@@ -36,9 +36,9 @@ class ModalModel : public SolidModel {
 
   std::vector<NodalMode> modes(int count) const override;
 
-  /// The assumption: small angles and strains.
+  /// The assumption: small angles, strains and deflections (over the body's longest side).
   std::vector<Column> columns() const override {
-    return {{"largest_rotation", "rad"}, {"largest_strain", "-"}};
+    return {{"largest_rotation", "rad"}, {"largest_strain", "-"}, {"largest_deflection", "-"}};
   }
   std::vector<double> values() const override;
 
@@ -52,6 +52,7 @@ class ModalModel : public SolidModel {
   using Vectors = typename fem::MeshedBodies<dim>::Vectors;
 
   void prepare_steps(double h);
+  double largest_deflection() const;
 
   /// One part of the modes' states on the unknowns of the bodies.
   Vectors motion(double OscillatorState::*part) const;

@@ -118,22 +118,34 @@ TEST(ModalModel, SaysHowFarItIsFromSmallDeflection) {
   v1::Case c = test::plate({});
   c.mutable_solid()->set_model(v1::SolidModel::modal);
   LoadedSolid run(c, test::left_face(80));
-  double rotation = 0, strain = 0, tip = 0;
+  double rotation = 0, strain = 0, deflection = 0, tip = 0;
   for (int k = 0; k < 40; ++k) {
     run.surface.force = Field::Zero(2, 80);
     run.surface.force.row(0).setConstant(10 * l0);
     const Report report = run.advance(1e-3);
     rotation = run.value(report, "largest_rotation");
     strain = run.value(report, "largest_strain");
+    deflection = run.value(report, "largest_deflection");
     tip = run.value(report, "tip_x");
   }
   ASSERT_GT(tip, 0);
   // The first mode of a cantilever has the slope 1.377 w / L at its tip and the curvature 3.516 w / L^2 at
   // its foot. The second mode bends the tip too, and the foot's corners have more strain than a beam.
   const double slope = 1.377 * tip / 0.08, bending = 3.516 * tip * 0.006 / (0.08 * 0.08);
+  EXPECT_NEAR(deflection / (tip / 0.08), 1, 0.01);  // the corner's, which goes down, too
   EXPECT_NEAR(rotation / slope, 1, 0.15);
   EXPECT_GT(strain / bending, 1);
   EXPECT_LT(strain / bending, 1.5);
+}
+
+TEST(ModalModel, AFreeFallIsNoDeflection) {
+  v1::Case c = test::plate({.clamped = false, .gravity = {0, -9.81}});
+  c.mutable_solid()->set_model(v1::SolidModel::modal);
+  LoadedSolid run(c, {});
+  Report report;
+  for (int k = 0; k < 100; ++k) report = run.advance(1e-3);
+  EXPECT_LT(run.value(report, "tip_y"), -0.04);
+  EXPECT_LT(run.value(report, "largest_deflection"), 1e-6);  // rounding of modes as a whole, 1e-6 of others
 }
 
 TEST(ModalModel, MoreModesThanUnknownsAreRefused) {
