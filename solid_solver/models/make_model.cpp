@@ -6,6 +6,7 @@
 #include "solid_solver/models/hamiltonian/hamiltonian_body.hpp"
 #include "solid_solver/models/modal/modal_model.hpp"
 #include "solid_solver/models/mps/mps_body.hpp"
+#include "solid_solver/models/relocated_model.hpp"
 #include "solid_solver/models/rigid/rigid_model.hpp"
 #include "solid_solver/models/sprung/sprung_model.hpp"
 
@@ -54,7 +55,12 @@ std::unique_ptr<SolidModel> make_model(const v1::Case& the_case) {
   const bool deformable = model != v1::SolidModel::rigid && model != v1::SolidModel::sprung;
   require(!deformable || the_case.solid().has_young_modulus(),
           "solid.young_modulus: missing, the model {} needs it", v1::SolidModel::Word_Name(model));
-  return the_case.dimension() == 2 ? make<2>(the_case) : make<3>(the_case);
+  const auto made = [](const v1::Case& c) { return c.dimension() == 2 ? make<2>(c) : make<3>(c); };
+  const std::vector<double> origin = origin_near_bodies(the_case, spacing_of(the_case));
+  if (origin.empty()) return made(the_case);
+  return saying_origin(origin, [&]() -> std::unique_ptr<SolidModel> {
+    return std::make_unique<RelocatedModel>(made(relocated(the_case, origin)), origin);
+  });
 }
 
 }  // namespace cosurge

@@ -13,9 +13,12 @@ constexpr double rounding = 1e-6;  // of a side
 
 /// Newton's method for sum N_a(xi) X_a = x; false where it finds no xi near the element.
 template <int dim>
-bool invert(const Eigen::Matrix<double, dim, QuadraticElement<dim>::nodes>& corners, const Vec<dim>& x,
-            Vec<dim>& xi) {
+bool invert(Eigen::Matrix<double, dim, QuadraticElement<dim>::nodes> corners, Vec<dim> x, Vec<dim>& xi) {
   using Element = QuadraticElement<dim>;
+  // Counted from a corner: rounding is that of the element, wherever it is.
+  const Vec<dim> first = corners.col(0);
+  corners.colwise() -= first;
+  x -= first;
   constexpr int most = 30;
   constexpr double settled = 1e-14;
   constexpr double far = 3;
@@ -37,6 +40,11 @@ template <int dim>
 Mesh<dim>::Mesh(const v1::Body& body, int index, double longest)
     : shape_(shape_of(body)), grid_(shape_, longest, index), margin_(rounding * side().minCoeff()) {
   hold(body, index);
+  const Vec<dim> margin = Vec<dim>::Constant(side().norm());
+  for (Eigen::Index e = 0; e < elements() && !even(); ++e) {
+    const auto X = corners(e);
+    near_.emplace_back(X.rowwise().minCoeff() - margin, X.rowwise().maxCoeff() + margin);
+  }
 }
 
 template <int dim>
@@ -95,11 +103,9 @@ typename Mesh<dim>::Place Mesh<dim>::place(const Vec<dim>& x) const {
   Place best{.element = -1, .xi = {}};
   double least = std::numeric_limits<double>::infinity();
   for (Eigen::Index e = 0; e < elements(); ++e) {
-    const auto X = corners(e);
-    const Vec<dim> low = X.rowwise().minCoeff(), high = X.rowwise().maxCoeff();
-    if (((low - x).array() > side().norm()).any() || ((x - high).array() > side().norm()).any()) continue;
+    if (!near_[static_cast<std::size_t>(e)].contains(x)) continue;
     Vec<dim> xi;
-    if (!invert<dim>(X, x, xi) || xi.cwiseAbs().maxCoeff() >= least) continue;
+    if (!invert<dim>(corners(e), x, xi) || xi.cwiseAbs().maxCoeff() >= least) continue;
     least = xi.cwiseAbs().maxCoeff();
     best = {.element = e, .xi = xi};
   }

@@ -55,7 +55,8 @@ class Mesh {
 
   Shape<dim> shape_;
   FittedGrid<dim> grid_;
-  double margin_;  // what rounding may be off [m]
+  double margin_;               // what rounding may be off [m]
+  std::vector<Box<dim>> near_;  // of each fitted element: where points may belong to it
   std::vector<Shape<dim>> clamps_;
   std::vector<Axes<dim>> held_;
 };
