@@ -45,6 +45,7 @@ Mesh<dim>::Mesh(const v1::Body& body, int index, double longest)
     const auto X = corners(e);
     near_.emplace_back(X.rowwise().minCoeff() - margin, X.rowwise().maxCoeff() + margin);
   }
+  if (!even()) bins_ = ElementBins<dim>(near_);
 }
 
 template <int dim>
@@ -102,12 +103,23 @@ typename Mesh<dim>::Place Mesh<dim>::place(const Vec<dim>& x) const {
   if (even()) return place_in_grid(x);
   Place best{.element = -1, .xi = {}};
   double least = std::numeric_limits<double>::infinity();
-  for (Eigen::Index e = 0; e < elements(); ++e) {
-    if (!near_[static_cast<std::size_t>(e)].contains(x)) continue;
+  const auto try_element = [&](Eigen::Index e) {
     Vec<dim> xi;
-    if (!invert<dim>(corners(e), x, xi) || xi.cwiseAbs().maxCoeff() >= least) continue;
+    if (!invert<dim>(corners(e), x, xi) || xi.cwiseAbs().maxCoeff() >= least) return;
     least = xi.cwiseAbs().maxCoeff();
     best = {.element = e, .xi = xi};
+  };
+  // An element whose corners' box holds x most likely holds it, too; then no other needs to be tried.
+  const std::vector<Eigen::Index>& candidates = bins_.at(x);
+  const Vec<dim> margin = Vec<dim>::Constant(side().norm());
+  for (const bool wide : {false, true}) {
+    for (const Eigen::Index e : candidates) {
+      const Box<dim>& box = near_[static_cast<std::size_t>(e)];
+      const bool tight = Box<dim>(box.min + margin, box.max - margin).contains(x);
+      if (tight == wide || !box.contains(x)) continue;
+      try_element(e);
+      if (least <= 1) return best;
+    }
   }
   if (best.element < 0)
     throw NumericalError(

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "solid_solver/models/fem/element_bins.hpp"
 #include "solid_solver/models/fem/fitted_grid.hpp"
 #include "solid_solver/supports.hpp"
 
@@ -57,6 +58,7 @@ class Mesh {
   FittedGrid<dim> grid_;
   double margin_;               // what rounding may be off [m]
   std::vector<Box<dim>> near_;  // of each fitted element: where points may belong to it
+  ElementBins<dim> bins_;       // of these boxes
   std::vector<Shape<dim>> clamps_;
   std::vector<Axes<dim>> held_;
 };

@@ -271,6 +271,26 @@ TEST(LeaningFlap, SagsUnderItsWeightTheSameWithAnyElements) {
   }
 }
 
+template <int dim>
+void expect_found(const v1::Shape& shape, double longest, double spacing) {
+  v1::Body body;
+  *body.mutable_shape() = shape;
+  const fem::Mesh<dim> mesh(body, 0, longest);
+  const BodySites<dim> sites(body, spacing);
+  for (const Vec<dim>& x : sites.all()) {
+    const auto place = mesh.place(x);
+    const Vec<dim> there = mesh.corners(place.element) * fem::QuadraticElement<dim>::values(place.xi);
+    EXPECT_LT((there - x).norm(), 1e-12 * longest);
+    // Straight edges of elements cut corners off a round outline: a few per cent of an element.
+    EXPECT_LT(place.xi.cwiseAbs().maxCoeff(), 1.1);
+  }
+}
+
+TEST(OutlinedElements, HoldThePointsThatAreFoundInThem) {
+  expect_found<2>(test::disk({0.0312, 0.0207}, 0.01), 0.002, 0.001);
+  expect_found<3>(test::prism(0.02, 0.03, 0.012), 0.004, 0.001);
+}
+
 TEST(OutlinedElements, FollowAffineMotionExactly) {
   v1::Case c = scene_of(test::disk({0.0312, 0.0207}, 0.01), 2, 0.001, v1::SolidModel::fem);
   c.mutable_solid()->mutable_fem()->set_element(0.002);
