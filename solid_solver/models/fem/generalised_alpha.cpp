@@ -7,8 +7,8 @@
 namespace cosurge::fem {
 namespace {
 
-// Of the stiffness times the displacement: the largest that rounding makes of the forces of a body without
-// strain is 3e-15 of it (turning freely in space).
+// Of the stiffness times the displacement: rigid motions have forces of 4e-16 of it, and accelerations are
+// differences of displacements.
 constexpr double rounding = 2e-14;
 constexpr int most_iterations = 30;
 constexpr double slow = 0.1;  // of the residual left by an iteration: a new tangent costs as much as ten
