@@ -6,6 +6,25 @@
 #include "common/error.hpp"
 
 namespace cosurge::fluid {
+namespace {
+
+/// Unit normal of a shape's face that lies nearest to x, inside; oblique where faces of a box are equally
+/// near.
+template <int dim>
+Vec<dim> normal_at(const Shape<dim>& shape, const Vec<dim>& x, double spacing) {
+  if (!shape.is_box()) return (shape.nearest(x) - x).normalized();
+  const Vec<dim> below = x - shape.bounds().min;
+  const Vec<dim> above = shape.bounds().max - x;
+  const double nearest = std::min(below.minCoeff(), above.minCoeff()) + 1e-6 * spacing;
+  Vec<dim> normal = Vec<dim>::Zero();
+  for (int axis = 0; axis < dim; ++axis) {
+    if (below[axis] <= nearest) normal[axis] -= 1;
+    if (above[axis] <= nearest) normal[axis] += 1;
+  }
+  return normal.normalized();
+}
+
+}  // namespace
 
 template <int dim>
 Walls<dim>::Walls(const v1::Fluid& fluid, int dummy_layers)
@@ -32,9 +51,20 @@ bool Walls<dim>::taken(const Vec<dim>& x, bool moves) const {
   return depth > 0 && !above && (!moves || depth < thickness_);
 }
 
+/// Normal of the floor or side walls behind which x lies; oblique behind edges and corners.
+template <int dim>
+Vec<dim> Walls<dim>::tank_normal(const Vec<dim>& x) const {
+  Vec<dim> normal = Vec<dim>::Zero();
+  for (int axis = 0; axis < dim; ++axis) {
+    if (x[axis] < tank_.min[axis]) normal[axis] = 1;
+    if (axis < dim - 1 && x[axis] > tank_.max[axis]) normal[axis] = -1;
+  }
+  return normal.normalized();
+}
+
 template <int dim>
 auto Walls<dim>::tank_part() const -> Part {
-  Part part{.place = {}, .kind = {}, .motion = tank_motion_};
+  Part part{.place = {}, .normal = {}, .kind = {}, .motion = tank_motion_};
   Box<dim> outer = tank_;
   outer.min.array() -= thickness_;
   outer.max.template head<dim - 1>().array() += thickness_;
@@ -43,6 +73,7 @@ auto Walls<dim>::tank_part() const -> Part {
     const double depth =
         std::max((tank_.min - x).maxCoeff(), (x - tank_.max).template head<dim - 1>().maxCoeff());
     part.place.push_back(x);
+    part.normal.push_back(tank_normal(x));
     part.kind.push_back(depth < spacing_ ? Kind::wall : Kind::dummy);
   }
   return part;
@@ -50,7 +81,7 @@ auto Walls<dim>::tank_part() const -> Part {
 
 template <int dim>
 auto Walls<dim>::obstacle_part(const v1::Obstacle& obstacle, const Shape<dim>& shape) const -> Part {
-  Part part{.place = {}, .kind = {}, .motion = Motion<dim>(obstacle.motion())};
+  Part part{.place = {}, .normal = {}, .kind = {}, .motion = Motion<dim>(obstacle.motion())};
   const bool moves = part.motion.moves() || tank_motion_.moves();
   for (const Vec<dim>& x : shape.fill(spacing_)) {
     if (taken(x, moves)) continue;
@@ -62,6 +93,7 @@ auto Walls<dim>::obstacle_part(const v1::Obstacle& obstacle, const Shape<dim>& s
         bare = bare || !shape.contains(across);
       }
     part.place.push_back(x);
+    part.normal.push_back(normal_at(shape, x, spacing_));
     part.kind.push_back(bare ? Kind::wall : Kind::dummy);
   }
   return part;
@@ -71,7 +103,10 @@ template <int dim>
 void Walls<dim>::add_to(Particles<dim>& particles) {
   for (Part& part : parts_) {
     part.first_id = particles.size();
-    for (std::size_t k = 0; k < part.place.size(); ++k) particles.add(part.kind[k], part.place[k]);
+    for (std::size_t k = 0; k < part.place.size(); ++k) {
+      particles.add(part.kind[k], part.place[k]);
+      particles.normal.back() = part.normal[k];
+    }
   }
 }
 
@@ -99,6 +134,7 @@ Box<dim> Walls<dim>::domain() const {
 template <int dim>
 void Walls<dim>::move(Particles<dim>& particles, double end, double dt) {
   speed_ = 0;
+  approach_ = 0;
   if (std::none_of(parts_.begin(), parts_.end(), [](const Part& part) { return part.motion.moves(); }))
     return;
   for (int i = 0; i < particles.size(); ++i) {
@@ -107,11 +143,32 @@ void Walls<dim>::move(Particles<dim>& particles, double end, double dt) {
         std::prev(std::upper_bound(parts_.begin(), parts_.end(), particles.id[i],
                                    [](std::int32_t id, const Part& p) { return id < p.first_id; }));
     if (!of->motion.moves()) continue;
-    const Vec<dim>& X = of->place[static_cast<std::size_t>(particles.id[i] - of->first_id)];
+    const auto k = static_cast<std::size_t>(particles.id[i] - of->first_id);
+    const Vec<dim>& X = of->place[k];
     particles.x[i] = of->motion.place(X, end);
     particles.u[i] = (particles.x[i] - of->motion.place(X, end - dt)) / dt;
+    particles.normal[i] = of->motion.place(X + of->normal[k], end) - particles.x[i];
     speed_ = std::max(speed_, particles.u[i].norm());
+    if (of == parts_.begin()) continue;
+    const Vec<dim> in_tank = tank_motion_.place(tank_motion_.origin(particles.x[i], end), end - dt);
+    approach_ = std::max(approach_, (particles.u[i] - (particles.x[i] - in_tank) / dt).norm());
   }
+}
+
+template <int dim>
+double Walls<dim>::speed_between(double from, double to) const {
+  double fastest = 0;
+  const auto visit = [&](const Motion<dim>& motion, const Box<dim>& box) {
+    if (!motion.moves()) return;
+    for (int corner = 0; corner < (1 << dim); ++corner) {
+      Vec<dim> X;
+      for (int k = 0; k < dim; ++k) X[k] = ((corner >> k) & 1) != 0 ? box.max[k] : box.min[k];
+      fastest = std::max(fastest, (motion.place(X, to) - motion.place(X, from)).norm() / (to - from));
+    }
+  };
+  visit(tank_motion_, tank_);
+  for (std::size_t k = 0; k < obstacles_.size(); ++k) visit(parts_[k + 1].motion, obstacles_[k].bounds());
+  return fastest;
 }
 
 template <int dim>

@@ -37,13 +37,20 @@ class Walls {
   /// Largest speed of a wall in the last move [m/s].
   double speed() const { return speed_; }
 
+  /// Largest speed of an obstacle against the tank in the last move [m/s].
+  double approach() const { return approach_; }
+
+  /// Largest mean speed that any point of a wall has between two times, `from` < `to` [s] [m/s].
+  double speed_between(double from, double to) const;
+
   /// Whether x at time t has left the tank by more than a spacing, through floor or sides.
   bool outside(const Vec<dim>& x, double t) const;
 
  private:
   /// A tank or obstacle that moves as one.
   struct Part {
-    std::vector<Vec<dim>> place;  // of its particles at the start
+    std::vector<Vec<dim>> place;   // of its particles at the start
+    std::vector<Vec<dim>> normal;  // of the face they lie behind, at the start, towards the water
     std::vector<Kind> kind;
     Motion<dim> motion;
     std::int32_t first_id = 0;
@@ -51,6 +58,7 @@ class Walls {
 
   bool taken(const Vec<dim>& x, bool moves) const;
   void require_room(std::ptrdiff_t obstacle, const Vec<dim>& x, double t) const;
+  Vec<dim> tank_normal(const Vec<dim>& x) const;
   Part tank_part() const;
   Part obstacle_part(const v1::Obstacle& obstacle, const Shape<dim>& shape) const;
 
@@ -61,6 +69,7 @@ class Walls {
   Motion<dim> tank_motion_;
   std::vector<Part> parts_;
   double speed_ = 0;
+  double approach_ = 0;
 };
 
 }  // namespace cosurge::fluid
