@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "common/error.hpp"
+#include "fluid_solver/fitted_layout.hpp"
 
 namespace cosurge::fluid {
 namespace {
@@ -30,6 +31,7 @@ template <int dim>
 Walls<dim>::Walls(const v1::Fluid& fluid, int dummy_layers)
     : tank_(fluid.tank()),
       spacing_(fluid.spacing()),
+      dummy_layers_(dummy_layers),
       thickness_((1 + dummy_layers) * fluid.spacing()),
       tank_motion_(fluid.tank_motion()) {
   parts_.push_back(tank_part());
@@ -81,22 +83,30 @@ auto Walls<dim>::tank_part() const -> Part {
 
 template <int dim>
 auto Walls<dim>::obstacle_part(const v1::Obstacle& obstacle, const Shape<dim>& shape) const -> Part {
+  constexpr double nearest = 0.7;  // spacings to particles of the tank and of obstacles before
   Part part{.place = {}, .normal = {}, .kind = {}, .motion = Motion<dim>(obstacle.motion())};
   const bool moves = part.motion.moves() || tank_motion_.moves();
-  for (const Vec<dim>& x : shape.fill(spacing_)) {
-    if (taken(x, moves)) continue;
-    bool bare = false;  // with a site beside it that is not of the obstacle
-    for (int axis = 0; axis < dim; ++axis)
-      for (const double side : {-spacing_, spacing_}) {
-        Vec<dim> across = x;
-        across[axis] += side;
-        bare = bare || !shape.contains(across);
-      }
+  const PointHash<dim> others = particles_near(shape.bounds());
+  const std::optional<Box<dim>> tank = moves ? std::nullopt : std::optional(tank_);
+  for (const auto& [x, kind] : fitted_layout(shape, tank, dummy_layers_, spacing_)) {
+    if (taken(x, moves) || others.any_within(x, nearest * spacing_)) continue;
     part.place.push_back(x);
     part.normal.push_back(normal_at(shape, x, spacing_));
-    part.kind.push_back(bare ? Kind::wall : Kind::dummy);
+    part.kind.push_back(kind);
   }
   return part;
+}
+
+/// Particles of the tank and of the obstacles so far that are in a box or less than a spacing beside it.
+template <int dim>
+PointHash<dim> Walls<dim>::particles_near(const Box<dim>& box) const {
+  PointHash<dim> near(spacing_);
+  const Vec<dim> margin = Vec<dim>::Constant(spacing_);
+  const Box<dim> wider(box.min - margin, box.max + margin);
+  for (const Part& part : parts_)
+    for (const Vec<dim>& x : part.place)
+      if (wider.contains(x)) near.add(x);
+  return near;
 }
 
 template <int dim>

@@ -4,6 +4,7 @@
 #include "common/shape.hpp"
 #include "fluid_solver/motion.hpp"
 #include "fluid_solver/particles.hpp"
+#include "fluid_solver/point_hash.hpp"
 
 namespace cosurge::fluid {
 
@@ -11,7 +12,8 @@ template <int dim>
 class Walls {
  public:
   /// The tank of the case: floor and side walls, one layer with pressure and `dummy_layers` behind it,
-  /// corners filled, open at the top (the last coordinate). Obstacles: their outermost layer has pressure.
+  /// corners filled, open at the top (the last coordinate). Obstacles: their outermost layer has pressure,
+  /// those with an outline are laid out parallel to it.
   /// They may overlap each other and go into floor and side walls: a site counts once, as the tank's, or as
   /// the first obstacle's that has it. What of an obstacle lies in the tank's walls at the start does not
   /// move with it.
@@ -61,9 +63,11 @@ class Walls {
   Vec<dim> tank_normal(const Vec<dim>& x) const;
   Part tank_part() const;
   Part obstacle_part(const v1::Obstacle& obstacle, const Shape<dim>& shape) const;
+  PointHash<dim> particles_near(const Box<dim>& box) const;
 
   Box<dim> tank_;
   double spacing_;
+  int dummy_layers_;
   double thickness_;  // of the tank's walls [m]
   std::vector<Shape<dim>> obstacles_;
   Motion<dim> tank_motion_;
