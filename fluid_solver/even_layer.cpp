@@ -10,8 +10,7 @@ namespace {
 constexpr double least_to_grid = 0.75;  // spacings between points of different grids
 constexpr double range = 1.3;           // spacings: of the repulsion
 constexpr double stiffness = 0.25;      // share of the overlap of ranges that a sweep removes
-constexpr int sweeps = 40;
-constexpr double at_rest = 0.005;  // spacings: the largest move of a sweep after which there are no more
+constexpr double at_rest = 0.005;       // spacings: the largest move of a sweep after which there are no more
 
 /// Spacings between loose points: such that one has a spacing^(dim-1) to itself on a round body.
 constexpr double touching(int dim) { return dim == 2 ? 0.97 : 0.9; }
@@ -131,7 +130,7 @@ Vec<dim> EvenLayer<dim>::push_on(const PointHash<dim>& all, std::int32_t i) cons
 }
 
 template <int dim>
-void EvenLayer<dim>::spread() {
+void EvenLayer<dim>::spread(int sweeps) {
   const std::vector<std::int32_t> moving = movable();
   const auto count = static_cast<std::int64_t>(moving.size());
   std::vector<Vec<dim>> moved(moving.size());

@@ -26,8 +26,9 @@ class EvenLayer {
   /// Whether a new point at x would lie too near to others.
   bool occupied(const Vec<dim>& x, double margin) const;
 
-  /// Lets points that lie off a regular grid, and those beside them, move apart along the layer.
-  void spread();
+  /// Lets points that lie off a regular grid, and those beside them, move apart along the layer, in at most
+  /// so many sweeps.
+  void spread(int sweeps);
 
   const std::vector<Vec<dim>>& points() const { return points_; }
 

@@ -13,6 +13,8 @@ constexpr double beside = 1.0;   // spacings farther than the nearest facet, wit
 constexpr double behind = 0.25;  // spacings between the last layer and the lattice, more than half a spacing
 constexpr double gap = 0.95;  // spacings: a site of the lattice that is farther from all others fills a gap
 
+constexpr int wall_sweeps = 40, dummy_sweeps = 10;
+
 /// Points of a unit cell that fill it evenly without rows: multiples of irrational numbers, the inverse
 /// powers of the root of r^(dim+1) = r + 1.
 template <int dim>
@@ -92,11 +94,11 @@ class Layout {
     const Vec<dim> margin = Vec<dim>::Constant(spacing_);
     const double deepest = (layers_ + 1) * spacing_;
     const auto cells = fill(Box<dim>(shape_.bounds().min - margin, shape_.bounds().max + margin), spacing_);
-    std::vector<double> depth(cells.size());
+    std::vector<Depth<dim>> depth(cells.size());
 #pragma omp parallel for schedule(static)
-    for (std::size_t k = 0; k < cells.size(); ++k) depth[k] = outline_.at(cells[k]).depth;
+    for (std::size_t k = 0; k < cells.size(); ++k) depth[k] = outline_.at(cells[k]);
     for (std::size_t k = 0; k < cells.size(); ++k)
-      if (std::abs(depth[k]) < deepest) cells_.push_back({cells[k], depth[k]});
+      if (std::abs(depth[k].depth) < deepest) cells_.push_back({cells[k], depth[k].depth, depth[k].nearest});
   }
 
   EvenLayer<dim> layer(double depth) const {
@@ -106,23 +108,25 @@ class Layout {
       for (const Vec<dim>& x : face.points(outline_, depth, spacing_)) grid.push_back(x);
     layer.add_grid(grid);
     layer.fill(candidates(layer, depth));
-    layer.spread();
+    layer.spread(depth < spacing_ ? wall_sweeps : dummy_sweeps);
     return layer;
   }
 
   /// Scattered points that lie a little deeper than the layer are moved up to it, where there is room.
   std::vector<Vec<dim>> candidates(const EvenLayer<dim>& layer, double depth) const {
-    constexpr int per_cell = dim == 2 ? 256 : 64;
-    const double thickness = spacing_ / (dim == 2 ? 16 : 4);
+    constexpr int per_cell = dim == 2 ? 256 : 32;
+    const double thickness = spacing_ / (dim == 2 ? 16 : 2);
     static const std::vector<Vec<dim>> offsets = scattered<dim>(per_cell);
     const double half_diagonal = 0.5 * std::sqrt(dim) * spacing_;
     std::vector<std::vector<Vec<dim>>> found(cells_.size());
 #pragma omp parallel for schedule(dynamic, 64)
     for (std::size_t c = 0; c < cells_.size(); ++c) {
-      const auto& [centre, centre_depth] = cells_[c];
+      const auto& [centre, centre_depth, nearest] = cells_[c];
       if (std::abs(centre_depth - depth) > half_diagonal + thickness) continue;
       for (const Vec<dim>& offset : offsets) {
         const Vec<dim> x = centre + spacing_ * offset;
+        if (centre_depth > 0 && (x - nearest).squaredNorm() < depth * depth) continue;  // not so deep
+        if (centre_depth - spacing_ * offset.norm() > depth + thickness) continue;      // deeper
         if (layer.occupied(x, thickness)) continue;
         const Depth<dim> here = outline_.at(x);
         if (here.depth < depth || here.depth >= depth + thickness) continue;
@@ -148,6 +152,7 @@ class Layout {
   struct Cell {
     Vec<dim> centre;
     double depth;
+    Vec<dim> nearest;  // point of the outline
   };
 
   const Shape<dim>& shape_;
