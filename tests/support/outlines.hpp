@@ -1,107 +1,100 @@
-// Outlines for the tests, and the distances within a layout of wall particles.
+// Outlines for the tests.
 #pragma once
 
-#include <Eigen/Geometry>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <vector>
 
-#include "common/shape.hpp"
-#include "fluid_solver/fitted_layout.hpp"
+#include "common/body_sites.hpp"
+#include "common/participant.hpp"
 
-namespace cosurge::fluid::test {
+namespace cosurge::test {
 
+/// Corners of a polygon, or of triangles.
 template <int dim>
-v1::Shape outline_of(const std::vector<Vec<dim>>& corners) {
+v1::Shape outline(const std::vector<Vec<dim>>& corners) {
   v1::Shape shape;
   for (const Vec<dim>& corner : corners)
-    for (const double coordinate : corner) shape.add_vertex(coordinate);
+    for (const double value : corner) shape.add_vertex(value);
   return shape;
 }
 
-/// Corners of the triangles of a box with these corners, outwards.
-inline std::vector<Vec<3>> triangles_of_box(const Vec<3>& min, const Vec<3>& max) {
-  const auto corner = [&](int k) {
-    return Vec<3>((k & 1) != 0 ? max[0] : min[0], (k & 2) != 0 ? max[1] : min[1],
-                  (k & 4) != 0 ? max[2] : min[2]);
-  };
-  std::vector<Vec<3>> corners;
-  for (const int k : {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
-                      2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5})
-    corners.push_back(corner(k));
-  return corners;
+inline v1::Shape box(const std::vector<double>& min, const std::vector<double>& max) {
+  v1::Shape shape;
+  shape.mutable_min()->Assign(min.begin(), min.end());
+  shape.mutable_max()->Assign(max.begin(), max.end());
+  return shape;
 }
 
-/// A box around the origin, turned by `angle` in the plane of the first and the last coordinate and, in
-/// space, by `second` around the last one.
-inline v1::Shape turned_box(const Vec<2>& half, double angle, double = 0) {
-  const Eigen::Rotation2Dd turn(angle);
-  return outline_of<2>({turn * Vec<2>(-half[0], -half[1]), turn * Vec<2>(half[0], -half[1]),
-                        turn * Vec<2>(half[0], half[1]), turn * Vec<2>(-half[0], half[1])});
+/// A rectangle between two corners, turned about the origin [rad].
+inline v1::Shape turned_box(const Vec<2>& min, const Vec<2>& max, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  const auto turn = [&](double x, double y) { return Vec<2>(c * x - s * y, s * x + c * y); };
+  return outline<2>({turn(min[0], min[1]), turn(max[0], min[1]), turn(max[0], max[1]), turn(min[0], max[1])});
 }
 
-inline v1::Shape turned_box(const Vec<3>& half, double angle, double second = 0) {
-  const Eigen::Matrix3d turn =
-      (Eigen::AngleAxisd(second, Vec<3>::UnitZ()) * Eigen::AngleAxisd(-angle, Vec<3>::UnitY()))
-          .toRotationMatrix();
-  std::vector<Vec<3>> corners = triangles_of_box(-half, half);
-  for (Vec<3>& corner : corners) corner = Vec<3>(turn * corner);
-  return outline_of<3>(corners);
-}
-
-inline v1::Shape circle(double radius, int sides) {
+inline v1::Shape disk(const Vec<2>& centre, double radius, int sides = 96) {
   std::vector<Vec<2>> corners;
   for (int k = 0; k < sides; ++k) {
     const double angle = 2 * std::numbers::pi * k / sides;
-    corners.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+    corners.push_back(centre + radius * Vec<2>(std::cos(angle), std::sin(angle)));
   }
-  return outline_of<2>(corners);
+  return outline<2>(corners);
 }
 
-/// A sphere of 2 sides^2 triangles or so, by longitude and latitude.
-inline v1::Shape sphere(double radius, int sides) {
-  const auto at = [&](int i, int j) {
-    const double theta = std::numbers::pi * j / sides, phi = 2 * std::numbers::pi * (i % sides) / sides;
-    return Vec<3>(radius *
-                  Vec<3>(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)));
+inline double area_of_disk(double radius, int sides = 96) {
+  return 0.5 * sides * radius * radius * std::sin(2 * std::numbers::pi / sides);
+}
+
+/// The corner of a cube: (0, 0, 0) and the points at `size` on the axes, then moved by `shift`; volume
+/// size^3 / 6.
+inline v1::Shape tetrahedron(double size, const Vec<3>& shift) {
+  const Vec<3>& o = shift;
+  const Vec<3> x = o + size * Vec<3>::Unit(0), y = o + size * Vec<3>::Unit(1), z = o + size * Vec<3>::Unit(2);
+  return outline<3>({o, y, x, o, x, z, o, z, y, x, y, z});
+}
+
+/// A polygon in the plane of x and y, counterclockwise, from z = 0 to `depth`. From its corner `fan` the
+/// others are seen.
+inline v1::Shape extruded(const std::vector<Vec<2>>& corners, double depth, std::size_t fan = 0) {
+  std::vector<Vec<3>> all;
+  const auto add = [&](std::size_t k, double z) {
+    const Vec<2>& x = corners[k % corners.size()];
+    all.emplace_back(x[0], x[1], z);
   };
-  std::vector<Vec<3>> corners;
-  for (int j = 0; j < sides; ++j)
-    for (int i = 0; i < sides; ++i) {
-      if (j > 0)
-        for (const Vec<3>& x : {at(i, j), at(i, j + 1), at(i + 1, j)}) corners.push_back(x);
-      if (j + 1 < sides)
-        for (const Vec<3>& x : {at(i + 1, j), at(i, j + 1), at(i + 1, j + 1)}) corners.push_back(x);
-    }
-  return outline_of<3>(corners);
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    for (const auto& [corner, z] :
+         {std::pair(k, 0.0), {k + 1, 0.0}, {k + 1, depth}, {k, 0.0}, {k + 1, depth}, {k, depth}})
+      add(corner, z);
+    if (k == 0 || k + 1 == corners.size()) continue;
+    for (const std::size_t corner : {fan, fan + k + 1, fan + k}) add(corner, 0);
+    for (const std::size_t corner : {fan, fan + k, fan + k + 1}) add(corner, depth);
+  }
+  return outline<3>(all);
 }
 
+/// A triangle in the plane of x and y, (0, 0), (width, 0), (0, height), from z = 0 to `depth`.
+inline v1::Shape prism(double width, double height, double depth) {
+  return extruded({{0, 0}, {width, 0}, {0, height}}, depth);
+}
+
+/// Points of a fluid on the sites of a body, with the areas of the faces of cells that nothing covers.
 template <int dim>
-std::vector<Vec<dim>> of_kind(const std::vector<WallSite<dim>>& sites, Kind kind) {
-  std::vector<Vec<dim>> points;
-  for (const auto& site : sites)
-    if (site.kind == kind) points.push_back(site.x);
+Interface points_on(const v1::Body& body, double spacing) {
+  const BodySites<dim> sites(body, spacing);
+  const auto count = static_cast<Eigen::Index>(sites.all().size());
+  Interface points{
+      .dimension = dim, .position = Field(dim, count), .area = Field::Zero(dim, count), .body = {}};
+  points.body.assign(sites.all().size(), 0);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const Vec<dim> x = sites.all()[static_cast<std::size_t>(k)];
+    points.position.col(k) = x;
+    for (int axis = 0; axis < dim; ++axis)
+      for (const double side : {-1.0, 1.0})
+        if (!sites.contains(x + side * spacing * Vec<dim>::Unit(axis)))
+          points.area(axis, k) += side * std::pow(spacing, dim - 1);
+  }
   return points;
 }
 
-/// Distance of the nearest of other points, apart from x itself.
-template <int dim>
-double to_nearest(const Vec<dim>& x, const std::vector<Vec<dim>>& points) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Vec<dim>& other : points)
-    if (other != x) least = std::min(least, (other - x).norm());
-  return least;
-}
-
-/// The least distance between two particles.
-template <int dim>
-double least_distance(const std::vector<WallSite<dim>>& sites) {
-  std::vector<Vec<dim>> points;
-  for (const auto& site : sites) points.push_back(site.x);
-  double least = std::numeric_limits<double>::infinity();
-  for (const Vec<dim>& x : points) least = std::min(least, to_nearest(x, points));
-  return least;
-}
-
-}  // namespace cosurge::fluid::test
+}  // namespace cosurge::test

@@ -7,7 +7,7 @@
 
 #include "fluid_solver/reference_values.hpp"
 #include "fluid_solver/weight.hpp"
-#include "tests/support/outlines.hpp"
+#include "tests/support/wall_layouts.hpp"
 
 namespace cosurge::fluid {
 namespace {
