@@ -87,9 +87,6 @@ void check_faces(const v1::Shape& outline, const std::string& which) {
     }
     if (faces <= dim - 1) gap_high = std::max(gap_high, behind);
   }
-  std::cout << which << ": " << walls.size() << " walls, depth " << shallow << ".." << deep << ", along "
-            << nearest << ".." << farthest << ", behind " << gap_low << ".." << gap_high << ", least "
-            << test::least_distance(sites) / l0 << "\n";
   EXPECT_GT(shallow, 0.49) << which;
   EXPECT_LT(deep, 0.51) << which;
   EXPECT_GT(nearest, 0.85) << which;
@@ -137,7 +134,6 @@ TEST(FittedLayout, AFaceLooksTheSameAllAlongFromTheWater) {
     const Vec<3> along3(along[0], 0, along[1]), up3(up[0], 0, up[1]);
     const double solid = roughness<3>(test::turned_box(Vec<3>(8.3 * l0, 5.7 * l0, 6.2 * l0), angle),
                                       (6.2 + 0.5) * l0 * up3 + 0.2 * l0 * Vec<3>::UnitY(), along3, 4 * l0);
-    std::cout << degrees << ": " << flat << " " << solid << "\n";
     EXPECT_LT(flat, 0.03) << degrees;
     EXPECT_LT(solid, 0.03) << degrees;
   }
@@ -156,8 +152,6 @@ void check_round(const v1::Shape& outline, double surface, const std::string& wh
     farthest = std::max(farthest, to_nearest(x, walls) / l0);
   }
   const double share = static_cast<double>(walls.size()) / surface * std::pow(l0, dim - 1);
-  std::cout << which << ": " << walls.size() << " share " << share << " along " << nearest << ".." << farthest
-            << " least " << test::least_distance(sites) / l0 << "\n";
   EXPECT_NEAR(share, 1, 0.03) << which;
   EXPECT_GT(test::least_distance(sites) / l0, 0.7) << which;
 }
@@ -200,14 +194,12 @@ TEST(FittedLayout, CornersHaveNoHolesAndNoCrowds) {
     const v1::Shape outline = test::outline_of<2>(corners);
     const double hole = largest_hole<2>(outline) / l0,
                  least = test::least_distance(layout_of<2>(outline)) / l0;
-    std::cout << "hole " << hole << " least " << least << "\n";
     EXPECT_LT(hole, 0.75);  // to the next particle: 1.5 spacings across
     EXPECT_GT(least, 0.7);
   }
   const v1::Shape solid = test::turned_box(Vec<3>(8.3 * l0, 5.7 * l0, 6.2 * l0), 0.5, 0.4);
   const double hole = largest_hole<3>(solid) / l0;
   const double ball = largest_hole<3>(test::sphere(0.08, 40)) / l0;
-  std::cout << "holes in space " << hole << " " << ball << "\n";
   EXPECT_LT(hole, 0.8);  // with points that lie up to a quarter of a spacing off the layer
   EXPECT_LT(ball, 0.8);
 }
@@ -229,8 +221,6 @@ TEST(FittedLayout, AThinPlateIsFilled) {
   for (const double thickness : {0.6, 1.0, 1.4, 2.0, 3.3}) {
     const v1::Shape outline = test::turned_box(Vec<2>(20 * l0, 0.5 * thickness * l0), 0.4);
     const auto sites = layout_of<2>(outline);
-    std::cout << "plate " << thickness << ": " << sites.size() << " least "
-              << test::least_distance(sites) / l0 << "\n";
     EXPECT_GT(test::least_distance(sites) / l0, 0.7) << thickness;
     EXPECT_GE(sites.size(), 20u) << thickness;
   }
