@@ -55,9 +55,11 @@ double Mps<dim>::near_deviation(int i) const {
 /// would keep a pressure for it. Beside an open surface a lack of neighbours is not thin water.
 template <int dim>
 double Mps<dim>::unbiased_deviation(int i, double smooth) const {
+  constexpr double disorder = 0.06;
   if (particles_.kind[i] != Kind::fluid) return 0;
   if (!std::isnan(smooth)) return smooth;
-  return parameters_.source() == v1::Fluid::time_scale ? std::max(0.0, near_deviation(i)) : near_deviation(i);
+  return parameters_.source() == v1::Fluid::time_scale ? std::max(0.0, near_deviation(i) - disorder)
+                                                       : near_deviation(i);
 }
 
 /// Of the source `time_scale`, eq. (6c). Water that falls and runs under gravity answers at its own wave
@@ -66,11 +68,10 @@ double Mps<dim>::unbiased_deviation(int i, double smooth) const {
 template <int dim>
 Rates Mps<dim>::rates(double dt) const {
   constexpr double answers = 10;  // while an obstacle moves by a spacing
-  constexpr double density = 0.6;
   const double c = propagation_speed_ / parameters_.spacing();
   const double driven = walls_.approach() / parameters_.spacing();
   const double k = std::min(std::max(c, answers * driven), 1 / dt);
-  return {.divergence = k, .density = std::min(k, std::max(density * c, driven))};
+  return {.divergence = k, .density = std::min(k, std::max(c, driven))};
 }
 
 /// tau of eq. (11) [s]. In equilibrium alpha rho P / tau^2 balances rho k_n^2 (n - n0) / n0: with tau = 1 /
