@@ -55,7 +55,7 @@ double Mps<dim>::near_deviation(int i) const {
 /// would keep a pressure for it. Beside an open surface a lack of neighbours is not thin water.
 template <int dim>
 double Mps<dim>::unbiased_deviation(int i, double smooth) const {
-  constexpr double disorder = 0.06;
+  constexpr double disorder = 0.05;  // by which it raises n
   if (particles_.kind[i] != Kind::fluid) return 0;
   if (!std::isnan(smooth)) return smooth;
   return parameters_.source() == v1::Fluid::time_scale ? std::max(0.0, near_deviation(i) - disorder)
