@@ -1,7 +1,8 @@
 // Regions of a case, and the sites of the lattice within them.
 #pragma once
 
-#include "common/facet_tree.hpp"
+#include <array>
+
 #include "common/lattice.hpp"
 
 namespace cosurge {
@@ -11,7 +12,7 @@ template <int dim>
 class Shape {
  public:
   /// A side of a polygon, or a triangle.
-  using Facet = cosurge::Facet<dim>;
+  using Facet = std::array<Vec<dim>, dim>;
 
   explicit Shape(const v1::Shape& shape);
 
@@ -44,7 +45,6 @@ class Shape {
  private:
   Box<dim> bounds_;
   std::vector<Facet> facets_;
-  FacetTree<dim> tree_;
   bool oriented_ = true;  // whether all facets have their inner side on the same hand
 };
 
