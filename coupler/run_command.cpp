@@ -122,9 +122,8 @@ void warn_of_deflection(const Recorder& recorder) {
   constexpr double small = 0.05;
   const History* deflection = recorder.history("solid/largest_deflection");
   if (deflection == nullptr || deflection->max().value <= small) return;
-  say("warning: unreliable result: a body bends by {:.3g} % of its length at t = {:.4g} s; the model modal "
-      "is "
-      "linear and valid up to {:.0f} %; use solid.model = \"fem\"\n",
+  say("warning: unreliable result: a body bends by {:.3g} % of its length at t = {:.4g} s; "
+      "the model modal is linear and valid up to {:.0f} %; use solid.model = \"fem\"\n",
       100 * deflection->max().value, deflection->max().time, 100 * small);
 }
 

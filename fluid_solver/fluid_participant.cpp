@@ -1,5 +1,6 @@
 #include "fluid_solver/fluid_participant.hpp"
 
+#include "common/probe_columns.hpp"
 #include "common/solvers.hpp"
 #include "common/version.hpp"
 #include "fluid_solver/gauges.hpp"
@@ -152,7 +153,7 @@ class FluidParticipant::SceneOf : public Scene {
         return;
       case v1::Probe::force:
         for (int axis = 0; axis < dim; ++axis) {
-          columns.push_back({fmt::format("{}_{}", probe.name(), "xyz"[axis]), "N"});
+          columns.push_back({probe_columns(probe, dim)[static_cast<std::size_t>(axis)], "N"});
           gauges_.push_back([axis, body, bodies = interface.body](const Surface& surface) {
             double sum = 0;
             for (std::size_t k = 0; k < bodies.size(); ++k)
