@@ -1,9 +1,7 @@
 #include "common/shape.hpp"
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <algorithm>
-#include <limits>
 
 #include "common/triangles.hpp"
 
@@ -27,55 +25,6 @@ Box<dim> bounds_of(const v1::Shape& shape) {
   return {vertices.rowwise().minCoeff(), vertices.rowwise().maxCoeff()};
 }
 
-/// How the ray from x along the first coordinate crosses the side from a to b: 1 from its inner to its outer
-/// side, -1 the other way, 0 not. Its lower end counts, its upper one not.
-int crossing(const Vec<2>& x, const std::array<Vec<2>, 2>& side) {
-  const auto& [a, b] = side;
-  if ((a[1] > x[1]) == (b[1] > x[1])) return 0;
-  if (!(x[0] < a[0] + (x[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]))) return 0;
-  return b[1] > a[1] ? 1 : -1;
-}
-
-/// The same of a triangle.
-int crossing(const Vec<3>& x, const std::array<Vec<3>, 3>& triangle) {
-  const auto& [a, b, c] = triangle;
-  Mat<2> edges;
-  edges.col(0) = (b - a).tail<2>();
-  edges.col(1) = (c - a).tail<2>();
-  const double determinant = edges.determinant();
-  if (determinant == 0) return 0;
-  const Vec<2> share = edges.inverse() * (x - a).tail<2>();
-  if (share[0] < 0 || share[1] < 0 || share.sum() > 1) return 0;
-  if (!(x[0] < a[0] + share[0] * (b[0] - a[0]) + share[1] * (c[0] - a[0]))) return 0;
-  return determinant > 0 ? 1 : -1;
-}
-
-template <int dim>
-Vec<dim> nearest_on_segment(const Vec<dim>& x, const Vec<dim>& a, const Vec<dim>& b) {
-  const double length_squared = (b - a).squaredNorm();
-  if (length_squared == 0) return a;
-  return a + std::clamp((x - a).dot(b - a) / length_squared, 0.0, 1.0) * (b - a);
-}
-
-Vec<2> nearest_on(const Vec<2>& x, const std::array<Vec<2>, 2>& side) {
-  return nearest_on_segment<2>(x, side[0], side[1]);
-}
-
-/// The foot of the perpendicular, or where that misses the triangle the nearest point of its edges.
-Vec<3> nearest_on(const Vec<3>& x, const std::array<Vec<3>, 3>& triangle) {
-  const Vec<3> normal = normal_of(triangle);
-  const double twice_area = normal.norm();
-  bool inside = twice_area > 0;
-  Vec<3> best = triangle[0];
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vec<3>&a = triangle[k], &b = triangle[(k + 1) % 3];
-    const Vec<3> on_edge = nearest_on_segment<3>(x, a, b);
-    if ((on_edge - x).squaredNorm() < (best - x).squaredNorm()) best = on_edge;
-    inside = inside && (b - a).cross(x - a).dot(normal) >= 0;
-  }
-  return inside ? Vec<3>(x - (x - triangle[0]).dot(normal) / (twice_area * twice_area) * normal) : best;
-}
-
 template <int dim>
 int first_body_at(const v1::Solid& solid, const Vec<dim>& x) {
   for (int b = 0; b < solid.body_size(); ++b)
@@ -96,6 +45,7 @@ Shape<dim>::Shape(const v1::Shape& shape) : bounds_(bounds_of<dim>(shape)) {
   else
     for (int k = 0; k + 2 < corners; k += 3) facets_.push_back({corner(k), corner(k + 1), corner(k + 2)});
   if constexpr (dim == 3) oriented_ = is_oriented(facets_);
+  tree_ = FacetTree<dim>(facets_);
 }
 
 template <int dim>
@@ -109,8 +59,7 @@ int Shape<dim>::winding(const Vec<dim>& x) const {
   Vec<dim> start = x;
   // A little aside of where edges lie: a ray along the edge of two triangles would meet both or none.
   if constexpr (dim == 3) start += 1e-9 * (bounds_.max - bounds_.min).norm() * Vec<3>(0, 1, 0.618);
-  int sum = 0;
-  for (const Facet& facet : facets_) sum += crossing(start, facet);
+  const int sum = tree_.crossings(start);
   return oriented_ ? sum : std::abs(sum) % 2;
 }
 
@@ -127,15 +76,7 @@ Vec<dim> Shape<dim>::nearest(const Vec<dim>& x) const {
       on[high] = bounds_.max[high];
     return on;
   }
-  Vec<dim> best = x;
-  double least = std::numeric_limits<double>::infinity();
-  for (const Facet& facet : facets_) {
-    const Vec<dim> on = nearest_on(x, facet);
-    if ((on - x).squaredNorm() >= least) continue;
-    least = (on - x).squaredNorm();
-    best = on;
-  }
-  return best;
+  return tree_.nearest(x).point;
 }
 
 template <int dim>

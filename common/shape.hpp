@@ -1,8 +1,7 @@
 // Regions of a case, and the sites of the lattice within them.
 #pragma once
 
-#include <array>
-
+#include "common/facet_tree.hpp"
 #include "common/lattice.hpp"
 
 namespace cosurge {
@@ -12,7 +11,7 @@ template <int dim>
 class Shape {
  public:
   /// A side of a polygon, or a triangle.
-  using Facet = std::array<Vec<dim>, dim>;
+  using Facet = cosurge::Facet<dim>;
 
   explicit Shape(const v1::Shape& shape);
 
@@ -45,6 +44,7 @@ class Shape {
  private:
   Box<dim> bounds_;
   std::vector<Facet> facets_;
+  FacetTree<dim> tree_;
   bool oriented_ = true;  // whether all facets have their inner side on the same hand
 };
 

@@ -66,7 +66,7 @@ std::vector<double> AddedMass<dim>::right_hand_side(const Step& step, const Fiel
     if (has_pressure(particles.kind[i]) && particles.free_surface[i] == 0)
       source[static_cast<std::size_t>(i)] =
           step.source_per_divergence * step.dt *
-          divergence<dim>(particles, step.neighbors, i, step.n0, Vec<dim>::Zero());
+          divergence<dim>(particles, step.neighbors, i, step.reference, Vec<dim>::Zero());
   particles.u.swap(velocity);
   return step.poisson.rows_of(source);
 }
@@ -147,6 +147,8 @@ ModalLoad AddedMass<dim>::modal_load(const Step& step, const std::vector<WetPoin
     const Mode& mode = modes_[static_cast<std::size_t>(m)];
     load.mobility[m] = mode.mobility / step.dt;
     load.predicted[m] = mode.load;
+    for (std::size_t k = 0; k < step.face_load.size(); ++k)
+      load.predicted[m] -= step.face_load[k].dot(mode.shape.col(static_cast<Eigen::Index>(k)));
     for (Eigen::Index i = 0; i < n; ++i) {
       const auto [point, u] = points[static_cast<std::size_t>(i)];
       const Vec<dim> phi = mode.shape.col(static_cast<Eigen::Index>(point));

@@ -37,9 +37,10 @@ class AddedMass {
   struct Step {
     Particles<dim>& particles;  ///< velocities are changed, and put back
     const Neighbors<dim>& neighbors;
-    double n0;
+    const ReferenceValues& reference;             ///< of the neighbours' radius
     const std::vector<std::int32_t>& body_place;  ///< of each body point among the particles
     const std::vector<Vec<dim>>& body_areas;
+    const std::vector<Vec<dim>>& face_load;  ///< beyond -P A on the body points [N]
     const PoissonEquation<dim>& poisson;
     Preconditioner& preconditioner;
     double source_per_divergence;  ///< of the pressure equation's source [kg/(m3 s)]

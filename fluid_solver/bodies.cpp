@@ -2,17 +2,24 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <limits>
 
 #include "fluid_solver/weight.hpp"
 
 namespace cosurge::fluid {
 namespace {
 
-/// A_0 of the body's site x: the faces of its cell that no material and no wall covers.
+/// Area of the faces of a site's cell that no material and no wall covers, towards either side of each axis.
 template <int dim>
-Vec<dim> wet_faces(const Vec<dim>& x, const BodySites<dim>& body, const std::vector<Shape<dim>>& clamps,
-                   const Box<dim>& tank, double spacing) {
-  Vec<dim> area = Vec<dim>::Zero();
+struct WetFaces {
+  Vec<dim> below = Vec<dim>::Zero();
+  Vec<dim> above = Vec<dim>::Zero();
+};
+
+template <int dim>
+WetFaces<dim> wet_faces(const Vec<dim>& x, const BodySites<dim>& body, const std::vector<Shape<dim>>& clamps,
+                        const Box<dim>& tank, double spacing) {
+  WetFaces<dim> wet;
   for (int axis = 0; axis < dim; ++axis) {
     for (const double side : {-1.0, 1.0}) {
       Vec<dim> across = x;
@@ -21,10 +28,10 @@ Vec<dim> wet_faces(const Vec<dim>& x, const BodySites<dim>& body, const std::vec
                        std::any_of(clamps.begin(), clamps.end(),
                                    [&](const Shape<dim>& clamp) { return clamp.contains(across); });
       const bool walled = (axis < dim - 1 || side < 0) && !tank.contains(across);
-      if (!dry && !walled) area[axis] += side;
+      if (!dry && !walled) (side < 0 ? wet.below : wet.above)[axis] = std::pow(spacing, dim - 1);
     }
   }
-  return std::pow(spacing, dim - 1) * area;
+  return wet;
 }
 
 }  // namespace
@@ -37,11 +44,14 @@ Bodies<dim>::Bodies(const v1::Solid& solid, const Box<dim>& tank, double spacing
     const std::vector<Shape<dim>> clamps(body.clamp().begin(), body.clamp().end());
     for (const Vec<dim>& x : sites.all()) {
       position_.push_back(x);
-      area_.push_back(wet_faces(x, sites, clamps, tank, spacing));
+      const WetFaces<dim> wet = wet_faces(x, sites, clamps, tank, spacing);
+      area_.push_back(wet.above - wet.below);
+      faces_.push_back(wet.above + wet.below);
       body_.push_back(b);
     }
   }
   find_neighbors(spacing);
+  find_nearest_wet();
 }
 
 template <int dim>
@@ -57,24 +67,51 @@ void Bodies<dim>::find_neighbors(double spacing) {
 }
 
 template <int dim>
-std::vector<Vec<dim>> Bodies<dim>::deformed_areas(const Field& displacement) const {
-  std::vector<Vec<dim>> areas(area_);
+void Bodies<dim>::find_nearest_wet() {
+  nearest_wet_.assign(position_.size(), -1);
+  for (int k = 0; k < points(); ++k) {
+    double nearest = std::numeric_limits<double>::max();
+    for (int j = 0; j < points(); ++j) {
+      if (!wet(j) || body_[j] != body_[k]) continue;
+      const double way = (position_[j] - position_[k]).squaredNorm();
+      if (way < nearest) nearest = way, nearest_wet_[k] = j;
+    }
+  }
+}
+
+/// J F^-T at a wet point, with F by eq. (12).
+template <int dim>
+Mat<dim> Bodies<dim>::cofactor(int k, const Field& displacement) const {
+  Mat<dim> deformed = Mat<dim>::Zero();
+  Mat<dim> reference = Mat<dim>::Zero();
+  for (int n = neighbor_begin_[k]; n < neighbor_begin_[k + 1]; ++n) {
+    const int j = neighbor_[n];
+    const Vec<dim> X_kj = position_[j] - position_[k];
+    const Vec<dim> x_kj = X_kj + displacement.col(j) - displacement.col(k);
+    const double w = 1.0 / X_kj.squaredNorm();
+    deformed += w * x_kj * X_kj.transpose();
+    reference += w * X_kj * X_kj.transpose();
+  }
+  const Mat<dim> F = deformed * reference.inverse();
+  return F.determinant() * F.inverse().transpose();
+}
+
+template <int dim>
+Faces<dim> Bodies<dim>::deformed(const Field& displacement) const {
+  Faces<dim> faces{.area = area_,
+                   .spread = std::vector<Mat<dim>>(position_.size(), Mat<dim>::Zero()),
+                   .normal = std::vector<Vec<dim>>(position_.size(), Vec<dim>::Zero())};
   for (int k = 0; k < points(); ++k) {
     if (!wet(k)) continue;
-    Mat<dim> deformed = Mat<dim>::Zero();
-    Mat<dim> reference = Mat<dim>::Zero();
-    for (int n = neighbor_begin_[k]; n < neighbor_begin_[k + 1]; ++n) {
-      const int j = neighbor_[n];
-      const Vec<dim> X_kj = position_[j] - position_[k];
-      const Vec<dim> x_kj = X_kj + displacement.col(j) - displacement.col(k);
-      const double w = 1.0 / X_kj.squaredNorm();
-      deformed += w * x_kj * X_kj.transpose();
-      reference += w * X_kj * X_kj.transpose();
-    }
-    const Mat<dim> F = deformed * reference.inverse();
-    areas[k] = F.determinant() * F.inverse().transpose() * area_[k];
+    const Mat<dim> J = cofactor(k, displacement);
+    faces.area[k] = J * area_[k];
+    faces.normal[k] = faces.area[k].normalized();
+    for (int axis = 0; axis < dim; ++axis)
+      faces.spread[k] += faces_[k][axis] / J.col(axis).norm() * J.col(axis) * J.col(axis).transpose();
   }
-  return areas;
+  for (int k = 0; k < points(); ++k)
+    if (!wet(k) && nearest_wet_[k] >= 0) faces.normal[k] = faces.normal[nearest_wet_[k]];
+  return faces;
 }
 
 template <int dim>

@@ -19,4 +19,10 @@ template <int dim>
 void density_and_free_surface(Particles<dim>& particles, const Neighbors<dim>& neighbors, double n0,
                               const FreeSurfaceCriterion& criterion);
 
+/// The same number density, and as free surface only what can have no pressure: lone drops with at most `few`
+/// neighbours, and points of walls and bodies without water within r_e. For the pressure equation with an
+/// OpenSurface.
+template <int dim>
+void density_and_lone_particles(Particles<dim>& particles, const Neighbors<dim>& neighbors);
+
 }  // namespace cosurge::fluid

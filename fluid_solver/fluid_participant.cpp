@@ -51,7 +51,7 @@ class FluidParticipant::SceneOf : public Scene {
                             {"seconds_gradient", "s"},
                             {"cpu_seconds", "s"}},
                 .particles = static_cast<std::uint64_t>(mps_.initial_size()),
-                .window = case_.time().window(),
+                .window = mps_.first_window(case_.time().window()),
                 .substep = 0};
     for (const Column& column : LostWater<dim>::columns()) setup.columns.push_back(column);
     for (const v1::Probe& probe : case_.output().probe()) add_gauge(probe, interface, setup.columns);

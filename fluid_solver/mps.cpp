@@ -8,6 +8,7 @@
 #include "common/ordered_sum.hpp"
 #include "fluid_solver/buried_walls.hpp"
 #include "fluid_solver/operators.hpp"
+#include "fluid_solver/surface_damping.hpp"
 
 namespace cosurge::fluid {
 namespace {
@@ -15,6 +16,9 @@ namespace {
 constexpr int loose = 3;  // neighbours up to which a particle flies freely and no longer limits the step
 constexpr double free_flight =
     0.5;  // of l0 that such a particle may fly in a step: it must not pass a wall unseen
+
+// Times the speed of a fall or of a wall: no water is as fast.
+constexpr double beyond_physical = 10;
 
 // Of the tolerance where a step may be repeated: the scheme takes differences between loads.
 constexpr double precise = 1e-2;
@@ -28,11 +32,11 @@ PoissonParameters<dim> poisson_parameters(const v1::Fluid& fluid, const Vec<dim>
           .re = fluid.re_laplacian() * fluid.spacing(),
           .density = fluid.density(),
           .compressibility = fluid.compressibility(),
-          .gravity = gravity};
+          .gravity = gravity,
+          .open_surface = fluid.source() == v1::Fluid::time_scale};
 }
 
-/// Default of the propagation speed: 0.6 sqrt(g H), H the height of the water at the start.
-/// docs/verification.md is of 0.6 to 0.7.
+/// Default of the propagation speed: sqrt(g H), that of long waves, H the height of the water at the start.
 template <int dim>
 double shallow_speed(const std::vector<Vec<dim>>& water, const Vec<dim>& gravity, double spacing) {
   double lowest = std::numeric_limits<double>::max();
@@ -42,7 +46,7 @@ double shallow_speed(const std::vector<Vec<dim>>& water, const Vec<dim>& gravity
     lowest = std::min(lowest, level);
     highest = std::max(highest, level);
   }
-  return 0.6 * std::sqrt(std::max(0.0, highest - lowest) + gravity.norm() * spacing);
+  return std::sqrt(std::max(0.0, highest - lowest) + gravity.norm() * spacing);
 }
 
 }  // namespace
@@ -71,10 +75,10 @@ Mps<dim>::Mps(const v1::Fluid& fluid, const v1::Solid* solid, const Vec<dim>& gr
   for (int k = 0; k < bodies_.points(); ++k)
     particles_.add(bodies_.wet(k) ? Kind::body_surface : Kind::body_inner, bodies_.position(k));
   initial_size_ = particles_.size();
-  // Ten times the speed of a fall through the whole domain: jets of impacts reach two or three times.
+  // Jets of impacts reach two or three times the speed of a fall through the whole domain.
   const double fall = 2 * (tank.max - tank.min).maxCoeff();
   const double sound = 1 / std::sqrt(fluid.density() * fluid.compressibility());
-  speed_bound_ = gravity.norm() > 0 ? 10 * std::sqrt(2 * gravity.norm() * fall) : sound;
+  speed_bound_ = gravity.norm() > 0 ? beyond_physical * std::sqrt(2 * gravity.norm() * fall) : sound;
   const Box<dim> domain = walls_.domain();
   nowhere_ = domain.max + (domain.max - domain.min);
   search_neighbors(0);
@@ -119,7 +123,7 @@ StepReport Mps<dim>::step(double start, double dt, std::uint32_t attempt) {
   const SolveReport pressure = solve_pressure(start, dt, attempt);
   correct(dt);  // u = u* - dt / rho grad p, x = x* + dt (u - u*)
   if (parameters_.shifting() > 0) shift(dt);
-  StepReport report = survey(start + dt);
+  StepReport report = survey(start + dt, dt);
   report.pressure = pressure;
   clock_.leave();
   return report;
@@ -127,9 +131,11 @@ StepReport Mps<dim>::step(double start, double dt, std::uint32_t attempt) {
 
 template <int dim>
 void Mps<dim>::move_bodies(const Field& displacement, const Field& velocity) {
-  body_areas_ = bodies_.deformed_areas(displacement);
-  for (int k = 0; k < bodies_.points(); ++k)
+  faces_ = bodies_.deformed(displacement);
+  for (int k = 0; k < bodies_.points(); ++k) {
     particles_.x[body_place_[k]] = bodies_.position(k) + displacement.col(k);
+    particles_.normal[body_place_[k]] = faces_.normal[k];
+  }
   set_body_velocity(velocity);
 }
 
@@ -137,7 +143,15 @@ template <int dim>
 void Mps<dim>::advance_to_pressure(double start, double dt) {
   predict(start, dt);  // u* = u + dt g, x* = x + dt u*; walls go to where they are at the end
   search_neighbors(start + dt);
-  diffuse_and_collide(dt);  // u* += dt nu lap u*, and collisions
+  find_free_surface();
+  diffuse_and_collide(dt);  // u* += dt nu lap u*, collisions and damping at the surface
+}
+
+/// The source `time_scale` has an OpenSurface. The others mend every divergence at once, which makes
+/// particles of a surface with pressure fly apart: theirs is the paper's, P = 0 where particles are flagged.
+template <int dim>
+void Mps<dim>::find_free_surface() {
+  if (open_surface()) return density_and_lone_particles(particles_, neighbors_);
   density_and_free_surface(particles_, neighbors_, reference_.n0,
                            {.beta = parameters_.free_surface().beta(),
                             .delta = parameters_.free_surface().delta() * parameters_.spacing()});
@@ -164,8 +178,31 @@ void Mps<dim>::set_body_velocity(const Field& velocity) {
 template <int dim>
 void Mps<dim>::load(Surface& surface) const {
   for (int k = 0; k < bodies_.points(); ++k) {
-    surface.pressure[k] = bodies_.wet(k) ? particles_.p[body_place_[k]] : 0.0;
-    surface.force.col(k) = -surface.pressure[k] * body_areas_[k];
+    if (!bodies_.wet(k)) {
+      surface.pressure[k] = 0;
+      surface.force.col(k).setZero();
+      continue;
+    }
+    const double p = particles_.p[body_place_[k]];
+    surface.force.col(k) = -p * faces_.area[k] + face_load_[k];
+    surface.pressure[k] = p - face_load_[k].dot(faces_.normal[k]) / faces_.area[k].norm();
+  }
+}
+
+/// The pressure that is solved for belongs to the centres of the points, half a spacing inside the faces. On
+/// the way to a face at rest it changes by rho g . n l0 / 2, eq. (15); on the way to one that accelerates it
+/// does not: the source of the outermost points has half of what the Neumann condition asks for. Points grow
+/// wet as the pressure in them reaches that of half a spacing of water.
+template <int dim>
+void Mps<dim>::set_face_load() {
+  const Vec<dim> change = 0.5 * parameters_.spacing() * parameters_.density() * gravity_;
+  // With flags the surface lies half a spacing too low, and centres below a face make up for it.
+  const double full = open_surface() ? change.norm() : 0;
+  face_load_.assign(static_cast<std::size_t>(bodies_.points()), Vec<dim>::Zero());
+  for (int k = 0; k < bodies_.points() && full > 0; ++k) {
+    if (!bodies_.wet(k)) continue;
+    const double wetness = std::clamp(particles_.p[body_place_[k]] / full, 0.0, 1.0);
+    face_load_[k] = -wetness * (faces_.spread[k] * change);
   }
 }
 
@@ -173,6 +210,7 @@ template <int dim>
 void Mps<dim>::predict(double start, double dt) {
   clock_.enter(predicting);
   walls_.move(particles_, start + dt, dt);
+  speed_bound_ = std::max(speed_bound_, beyond_physical * walls_.speed());
   walls_.require_room(start + dt);
 #pragma omp parallel for schedule(static)
   for (int i = 0; i < particles_.size(); ++i) {
@@ -201,7 +239,7 @@ void Mps<dim>::locate_bodies() {
     const int point = particles_.id[i] - first_body_id_;
     if (point < 0) continue;
     body_place_[point] = i;
-    if (!body_areas_.empty()) areas_[i] = body_areas_[point];
+    if (!faces_.area.empty()) areas_[i] = faces_.area[point];
   }
   if (const auto gone = std::count(body_place_.begin(), body_place_.end(), -1); gone > 0)
     throw NumericalError(
@@ -216,11 +254,14 @@ void Mps<dim>::diffuse_and_collide(double dt) {
   const CollisionLaw law{.distance = parameters_.collision().distance() * parameters_.spacing(),
                          .restitution = parameters_.collision().restitution()};
   const double nu = parameters_.kinematic_viscosity();
+  const SurfaceDamping damping =
+      surface_damping(reference_.n0, propagation_speed_, parameters_.spacing(), dt);
   change_.assign(static_cast<std::size_t>(particles_.size()), Vec<dim>::Zero());
 #pragma omp parallel for schedule(dynamic, Rows::chunk)
   for (int i = 0; i < particles_.size(); ++i) {
     if (particles_.kind[i] != Kind::fluid) continue;
     change_[i] = collision(particles_, neighbors_, i, law);
+    if (open_surface()) change_[i] += damp_surface(particles_, neighbors_, i, reference_.n0, damping);
     if (nu > 0)
       change_[i] +=
           dt * nu * velocity_laplacian(particles_, neighbors_, i, reference_.n0, reference_.lambda0);
@@ -231,7 +272,7 @@ void Mps<dim>::diffuse_and_collide(double dt) {
 template <int dim>
 void Mps<dim>::assemble(double dt) {
   clock_.enter(assembling);
-  poisson_.assemble(particles_, neighbors_.grid(), areas_, dt);
+  poisson_.assemble(particles_, neighbors_.grid(), areas_, response_time(dt));
   const auto& unknowns = poisson_.unknowns();
   pressure_.resize(unknowns.size());
   for (std::size_t k = 0; k < unknowns.size(); ++k) pressure_[k] = particles_.p[unknowns[k]];  // warm start
@@ -255,11 +296,14 @@ SolveReport Mps<dim>::solve_pressure(double start, double dt, std::uint32_t atte
         fmt::format("pressure: residual {:.2e} > {:.2e} after {} iterations at t = {:.6g} s; raise "
                     "fluid.pressure.max_iterations or lower time.window",
                     report.relative_residual, tolerance, report.iterations, start));
+  take_pressure();
+  set_face_load();
   added_mass_.couple({.particles = particles_,
                       .neighbors = neighbors_,
-                      .n0 = reference_.n0,
+                      .reference = reference_,
                       .body_place = body_place_,
-                      .body_areas = body_areas_,
+                      .body_areas = faces_.area,
+                      .face_load = face_load_,
                       .poisson = poisson_,
                       .preconditioner = *preconditioner_,
                       .source_per_divergence = source_per_divergence(dt),
@@ -268,10 +312,17 @@ SolveReport Mps<dim>::solve_pressure(double start, double dt, std::uint32_t atte
                       .tolerance = tolerance,
                       .lowest_pressure = parameters_.lowest_pressure()},
                      pressure_);
+  take_pressure();
+  return report;
+}
+
+/// Gives the particles the pressures that were solved for.
+template <int dim>
+void Mps<dim>::take_pressure() {
+  const auto& unknowns = poisson_.unknowns();
   std::fill(particles_.p.begin(), particles_.p.end(), 0.0);
   for (std::size_t k = 0; k < unknowns.size(); ++k)
     particles_.p[unknowns[k]] = std::max(parameters_.lowest_pressure(), pressure_[k]);
-  return report;
 }
 
 template <int dim>
@@ -338,10 +389,9 @@ void Mps<dim>::check_bounds(int water, int which, double fastest, double end) co
 
 /// Speeds, and the next step that they allow.
 template <int dim>
-StepReport Mps<dim>::survey(double end) {
+StepReport Mps<dim>::survey(double end, double dt) {
   double fastest = 0;  // of all
-  double fastest_bound = std::max(
-      max_body_speed_, walls_.speed());  // of those with enough neighbours to feel and make pressures
+  double fastest_bound = std::max({max_body_speed_, walls_.speed(), walls_.speed_between(end, end + dt)});
   int which = -1;
   int water = 0;
   for (int i = 0; i < particles_.size(); ++i) {
@@ -353,14 +403,26 @@ StepReport Mps<dim>::survey(double end) {
     if (std::isnan(speed)) break;
   }
   check_bounds(water, which, fastest, end);
+  const double flight = free_flight * parameters_.spacing() / std::max(fastest, 1e-12);
+  return {.pressure = {}, .max_speed = fastest, .max_window = std::min(flight, longest_step(fastest_bound))};
+}
+
+/// Eq. (17) but for free flight, for water, walls and bodies of at most `speed` [m/s].
+template <int dim>
+double Mps<dim>::longest_step(double speed) const {
   const double spacing = parameters_.spacing();
-  const double gravity_limit = std::sqrt(spacing / std::max(gravity_.norm(), 1e-12));
-  const double viscous_limit = 0.2 * spacing * spacing / std::max(parameters_.kinematic_viscosity(), 1e-12);
-  const double advective = parameters_.courant() * spacing / std::max(fastest_bound, 1e-12);
-  const double flight = free_flight * spacing / std::max(fastest, 1e-12);
-  return {.pressure = {},
-          .max_speed = fastest,
-          .max_window = std::min({advective, flight, viscous_limit, parameters_.courant() * gravity_limit})};
+  const double gravity = std::sqrt(spacing / std::max(gravity_.norm(), 1e-12));
+  const double viscous = 0.2 * spacing * spacing / std::max(parameters_.kinematic_viscosity(), 1e-12);
+  const double advective = parameters_.courant() * spacing / std::max(speed, 1e-12);
+  return std::min({advective, viscous, parameters_.courant() * gravity});
+}
+
+template <int dim>
+double Mps<dim>::first_window(double longest) const {
+  double window = std::min(longest, longest_step(max_body_speed_));
+  // Halved until the walls keep to it: a short window may have faster walls than a long one.
+  while (window > longest_step(walls_.speed_between(0, window))) window /= 2;
+  return window;
 }
 
 template class Mps<2>;

@@ -10,6 +10,7 @@
 #include "fluid_solver/collision.hpp"
 #include "fluid_solver/density.hpp"
 #include "fluid_solver/pressure/poisson_equation.hpp"
+#include "fluid_solver/pressure/source.hpp"
 #include "fluid_solver/walls.hpp"
 
 namespace cosurge::fluid {
@@ -47,11 +48,15 @@ class Mps {
   void set_modes(const std::vector<Mode>& modes) { added_mass_.set_modes(modes); }
   const AddedMass<dim>& added_mass() const { return added_mass_; }
 
-  /// Load on the bodies' points by eq. (15): f = -P A. Fills force [N] and pressure [Pa].
+  /// Load on the bodies' points by eq. (15), and the pressure on their faces. Fills force [N] and pressure
+  /// [Pa].
   void load(Surface& surface) const;
 
   const Bodies<dim>& bodies() const { return bodies_; }
   const Particles<dim>& particles() const { return particles_; }
+  /// Longest first step [s]: eq. (17) for water at rest, and for walls that move at once.
+  double first_window(double longest) const;
+
   int initial_size() const { return initial_size_; }
   const Neighbors<dim>& neighbors() const { return neighbors_; }
   double n0() const { return reference_.n0; }
@@ -72,17 +77,25 @@ class Mps {
   void search_neighbors(double time);
   void locate_bodies();
   void diffuse_and_collide(double dt);
+  void find_free_surface();
   void set_source(double dt);
   void assemble(double dt);
+  /// Whether missing neighbours count as air, and not flags: see pressure/open_surface.hpp.
+  bool open_surface() const { return parameters_.source() == v1::Fluid::time_scale; }
   double near_deviation(int i) const;
+  double near_smooth_deviation(int i) const;
   double unbiased_deviation(int i, double smooth) const;
-  double rate(double dt) const;
+  Rates rates(double dt) const;
+  double response_time(double dt) const;
   double source_per_divergence(double dt) const;
+  void take_pressure();
+  void set_face_load();
   SolveReport solve_pressure(double start, double dt, std::uint32_t attempt);
   Vec<dim> pressure_gradient(int i) const;
   void correct(double dt);
   void shift(double dt);
-  StepReport survey(double end);
+  StepReport survey(double end, double dt);
+  double longest_step(double speed) const;
   void check_bounds(int water, int which, double fastest, double end) const;
 
   v1::Fluid parameters_;
@@ -103,7 +116,8 @@ class Mps {
   double speed_bound_ = 0;        // [m/s]
   double max_body_speed_ = 0;
   int first_body_id_ = 0;
-  std::vector<Vec<dim>> body_areas_;      // A of each body point, deformed
+  Faces<dim> faces_;                      // of the bodies, deformed, by point
+  std::vector<Vec<dim>> face_load_;       // beyond -P A on the bodies' points [N]
   std::vector<std::int32_t> body_place_;  // of each body point among the particles
   std::vector<Vec<dim>> areas_;           // A by place, for the pressure equation
   std::vector<Vec<dim>> change_;          // of the velocity since the prediction, by place

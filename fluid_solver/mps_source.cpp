@@ -4,13 +4,14 @@
 #include "fluid_solver/mps.hpp"
 #include "fluid_solver/operators.hpp"
 #include "fluid_solver/pressure/source.hpp"
+#include "fluid_solver/weight.hpp"
 
 namespace cosurge::fluid {
 
 /// Right-hand side S of the pressure equation for each particle, by the case's choice.
 template <int dim>
 void Mps<dim>::set_source(double dt) {
-  const double k = rate(dt);
+  const Rates k = rates(dt);
   const auto source = [&](const SourceInput& in) {
     switch (parameters_.source()) {
       case v1::Fluid::deviation:
@@ -36,8 +37,7 @@ void Mps<dim>::set_source(double dt) {
       in.deviation = near_deviation(i);
     } else {
       in.deviation = unbiased_deviation(i, poisson_.deviation()[m]);
-      in.divergence =
-          std::isnan(wide[m]) ? divergence(particles_, neighbors_, i, reference_.n0, kick) : wide[m];
+      in.divergence = std::isnan(wide[m]) ? divergence(particles_, neighbors_, i, reference_, kick) : wide[m];
     }
     source_[i] = source(in);
   }
@@ -50,20 +50,45 @@ double Mps<dim>::near_deviation(int i) const {
   return particles_.n[i] / reference_.n0 - 1;
 }
 
+/// The same by the smooth density, eq. (2b), of the small radius.
+template <int dim>
+double Mps<dim>::near_smooth_deviation(int i) const {
+  double smooth = 1;
+  neighbors_.each(particles_, i, [&](int, const Vec<dim>&, double r) {
+    smooth += smooth_share(weight(r, neighbors_.re()));
+  });
+  return smooth / reference_.smooth0 - 1;
+}
+
 /// Disorder raises the number density of the small radius by 4 to 6 %, and water that is kept to it swells by
 /// as much; the smooth density is off by less than 0.2 %. The small radius serves beside the free surface,
-/// where the smooth one is not known. Only water counts: a wall cannot move to mend its own deviation, and
-/// would keep a pressure for it.
+/// where the smooth density of the large one is not known; beside an open surface a lack of neighbours is not
+/// thin water. Only water counts: a wall cannot move to mend its own deviation, and would keep a pressure for
+/// it.
 template <int dim>
 double Mps<dim>::unbiased_deviation(int i, double smooth) const {
   if (particles_.kind[i] != Kind::fluid) return 0;
-  return std::isnan(smooth) ? near_deviation(i) : smooth;
+  if (!std::isnan(smooth)) return smooth;
+  return open_surface() ? std::max(0.0, near_smooth_deviation(i)) : near_deviation(i);
 }
 
-/// Of the source `time_scale`: k of eq. (6c) [1/s].
+/// Of the source `time_scale`, eq. (6c). Water that falls and runs under gravity answers at its own wave
+/// speed: a spacing takes l0 / c. An obstacle that is driven into water at V asks for an answer while it
+/// moves by a tenth of a spacing.
 template <int dim>
-double Mps<dim>::rate(double dt) const {
-  return std::min(propagation_speed_ / parameters_.spacing(), 1 / dt);
+Rates Mps<dim>::rates(double dt) const {
+  constexpr double answers = 10;  // while an obstacle moves by a spacing
+  const double c = propagation_speed_ / parameters_.spacing();
+  const double driven = walls_.approach() / parameters_.spacing();
+  const double k = std::min(std::max(c, answers * driven), 1 / dt);
+  return {.divergence = k, .density = std::min(k, std::max(c, driven))};
+}
+
+/// tau of eq. (11) [s]. In equilibrium alpha rho P / tau^2 balances rho k_n^2 (n - n0) / n0: with tau = 1 /
+/// k_n the water is as compressible as alpha says.
+template <int dim>
+double Mps<dim>::response_time(double dt) const {
+  return open_surface() ? 1 / rates(dt).density : dt;
 }
 
 /// What the source changes by with the divergence of the velocity.
@@ -76,7 +101,7 @@ double Mps<dim>::source_per_divergence(double dt) const {
     case v1::Fluid::mixed:
       return (1 - parameters_.gamma()) * rho / dt;
     case v1::Fluid::time_scale:
-      return rho * rate(dt);
+      return rho * rates(dt).divergence;
   }
   return 0;
 }
@@ -85,5 +110,7 @@ template void Mps<2>::set_source(double);
 template void Mps<3>::set_source(double);
 template double Mps<2>::source_per_divergence(double) const;
 template double Mps<3>::source_per_divergence(double) const;
+template double Mps<2>::response_time(double) const;
+template double Mps<3>::response_time(double) const;
 
 }  // namespace cosurge::fluid

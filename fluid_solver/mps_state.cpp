@@ -11,10 +11,11 @@ void Mps<dim>::each_field(Self& self, Visit&& visit) {
   visit(self.particles_.u);
   visit(self.particles_.p);
   visit(self.particles_.n);
+  visit(self.particles_.normal);
   visit(self.particles_.kind);
   visit(self.particles_.id);
   visit(self.particles_.free_surface);
-  visit(self.body_areas_);
+  visit(self.faces_.area);
   visit(self.max_body_speed_);
 }
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 
+#include "fluid_solver/faces.hpp"
 #include "fluid_solver/weight.hpp"
 
 namespace cosurge::fluid {
@@ -77,18 +78,40 @@ Vec<dim> even_out(const Particles<dim>& particles, const Neighbors<dim>& neighbo
   return -dim / n0 * crowding;
 }
 
+/// Mean velocity of the water around point i of a wall or body, weights w / r^2; zero where there is none.
 template <int dim>
-double divergence(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i, double n0,
-                  const Vec<dim>& kick) {
-  const auto kicked = [&](int k) { return particles.kind[k] == Kind::fluid ? 0.0 : 1.0; };
+Vec<dim> mean_velocity_of_water(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i) {
+  Vec<dim> sum = Vec<dim>::Zero();
+  double weights = 0;
+  neighbors.each(particles, i, [&](int j, const Vec<dim>&, double r) {
+    if (particles.kind[j] != Kind::fluid) return;
+    const double w = weight(r, neighbors.re()) / (r * r);
+    sum += w * particles.u[j];
+    weights += w;
+  });
+  return weights > 0 ? Vec<dim>(sum / weights) : sum;
+}
+
+template <int dim>
+double divergence(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i,
+                  const ReferenceValues& reference, const Vec<dim>& kick) {
+  const auto is_water = [&](int k) { return particles.kind[k] == Kind::fluid; };
+  const auto kicked = [&](int k) { return is_water(k) ? 0.0 : 1.0; };
   const bool on_body = of_body(particles.kind[i]);
+  const Vec<dim>& n_i = particles.normal[i];
+  const bool on_face = !n_i.isZero();
+  const Vec<dim> slip = on_face ? mean_velocity_of_water(particles, neighbors, i) : Vec<dim>::Zero();
   double sum = 0;
   neighbors.each(particles, i, [&](int j, const Vec<dim>& x_ij, double r) {
     if (on_body && of_body(particles.kind[j])) return;
-    const Vec<dim> u_ij = particles.u[j] - particles.u[i] + (kicked(j) - kicked(i)) * kick;
+    Vec<dim> u_ij = particles.u[j] - particles.u[i] + (kicked(j) - kicked(i)) * kick;
+    if (is_water(i))
+      u_ij = across_face(u_ij, particles.normal[j]);
+    else if (on_face && is_water(j))
+      u_ij = u_ij.dot(n_i) * n_i + along_face<dim>(particles.u[j] - slip, n_i);
     sum += u_ij.dot(x_ij) * weight(r, neighbors.re()) / (r * r);
   });
-  return dim / n0 * sum;
+  return dim / reference.n0 * sum;
 }
 
 template <int dim>
@@ -113,8 +136,10 @@ template Vec<2> repulsion<2>(const Particles<2>&, const Neighbors<2>&, int, doub
 template Vec<3> repulsion<3>(const Particles<3>&, const Neighbors<3>&, int, double);
 template Vec<2> even_out<2>(const Particles<2>&, const Neighbors<2>&, int, double);
 template Vec<3> even_out<3>(const Particles<3>&, const Neighbors<3>&, int, double);
-template double divergence<2>(const Particles<2>&, const Neighbors<2>&, int, double, const Vec<2>&);
-template double divergence<3>(const Particles<3>&, const Neighbors<3>&, int, double, const Vec<3>&);
+template double divergence<2>(const Particles<2>&, const Neighbors<2>&, int, const ReferenceValues&,
+                              const Vec<2>&);
+template double divergence<3>(const Particles<3>&, const Neighbors<3>&, int, const ReferenceValues&,
+                              const Vec<3>&);
 template Vec<2> velocity_laplacian<2>(const Particles<2>&, const Neighbors<2>&, int, double, double);
 template Vec<3> velocity_laplacian<3>(const Particles<3>&, const Neighbors<3>&, int, double, double);
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fluid_solver/neighbors.hpp"
+#include "fluid_solver/reference_values.hpp"
 
 namespace cosurge::fluid {
 
@@ -39,12 +40,15 @@ Vec<dim> even_out(const Particles<dim>& particles, const Neighbors<dim>& neighbo
 
 /// Velocity divergence at particle i, eq. (10): (d / n0) sum of (u_j - u_i) . x_ij / r^2 w over all
 /// neighbours, but for two points of bodies: a structure that is compressed does not compress water, and a
-/// pressure for it would compress it further. `kick` [m/s] is added to the velocity of walls and bodies: what
-/// gravity has given the water in the prediction. The Neumann condition of eq. (11) takes it back from both;
-/// without it the source would count the weight of the water once more.
+/// pressure for it would compress it further. Water slides along walls and bodies: between water and a point
+/// with a normal, only what their velocities differ by along that normal counts, and at such a point itself
+/// the water's velocity along the face is taken relative to its mean. `kick` [m/s] is added to the velocity
+/// of walls and bodies: what gravity has given the water in the prediction. The Neumann condition of eq. (11)
+/// takes it back from both; without it the source would count the weight of the water once more. `reference`
+/// belongs to the radius of `neighbors`.
 template <int dim>
-double divergence(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i, double n0,
-                  const Vec<dim>& kick);
+double divergence(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i,
+                  const ReferenceValues& reference, const Vec<dim>& kick);
 
 /// Laplacian of the velocity at particle i, eq. (8): (2 d / (lambda0 n0)) sum of (u_j - u_i) w over all
 /// neighbours.

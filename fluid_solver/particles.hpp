@@ -29,6 +29,9 @@ struct Particles {
   std::vector<Vec<dim>> u;  ///< velocity [m/s]
   std::vector<double> p;    ///< pressure [Pa]
   std::vector<double> n;    ///< number density [-], of those with pressure
+  /// Unit normal of the face of a wall or body that the particle belongs to, towards the water; zero where
+  /// none is known, and for water.
+  std::vector<Vec<dim>> normal;
   std::vector<Kind> kind;
   std::vector<std::int32_t> id;  ///< place in the initial order, for ever
   std::vector<std::uint8_t> free_surface;
@@ -41,6 +44,7 @@ struct Particles {
     u.push_back(Vec<dim>::Zero());
     p.push_back(0);
     n.push_back(0);
+    normal.push_back(Vec<dim>::Zero());
     kind.push_back(new_kind);
     free_surface.push_back(0);
   }
@@ -51,6 +55,7 @@ struct Particles {
     pick(u, order);
     pick(p, order);
     pick(n, order);
+    pick(normal, order);
     pick(kind, order);
     pick(id, order);
     pick(free_surface, order);

@@ -4,13 +4,34 @@
 #include <limits>
 
 #include "common/error.hpp"
+#include "fluid_solver/fitted_layout.hpp"
 
 namespace cosurge::fluid {
+namespace {
+
+/// Unit normal of a shape's face that lies nearest to x, inside; oblique where faces of a box are equally
+/// near.
+template <int dim>
+Vec<dim> normal_at(const Shape<dim>& shape, const Vec<dim>& x, double spacing) {
+  if (!shape.is_box()) return (shape.nearest(x) - x).normalized();
+  const Vec<dim> below = x - shape.bounds().min;
+  const Vec<dim> above = shape.bounds().max - x;
+  const double nearest = std::min(below.minCoeff(), above.minCoeff()) + 1e-6 * spacing;
+  Vec<dim> normal = Vec<dim>::Zero();
+  for (int axis = 0; axis < dim; ++axis) {
+    if (below[axis] <= nearest) normal[axis] -= 1;
+    if (above[axis] <= nearest) normal[axis] += 1;
+  }
+  return normal.normalized();
+}
+
+}  // namespace
 
 template <int dim>
 Walls<dim>::Walls(const v1::Fluid& fluid, int dummy_layers)
     : tank_(fluid.tank()),
       spacing_(fluid.spacing()),
+      dummy_layers_(dummy_layers),
       thickness_((1 + dummy_layers) * fluid.spacing()),
       tank_motion_(fluid.tank_motion()) {
   parts_.push_back(tank_part());
@@ -32,9 +53,20 @@ bool Walls<dim>::taken(const Vec<dim>& x, bool moves) const {
   return depth > 0 && !above && (!moves || depth < thickness_);
 }
 
+/// Normal of the floor or side walls behind which x lies; oblique behind edges and corners.
+template <int dim>
+Vec<dim> Walls<dim>::tank_normal(const Vec<dim>& x) const {
+  Vec<dim> normal = Vec<dim>::Zero();
+  for (int axis = 0; axis < dim; ++axis) {
+    if (x[axis] < tank_.min[axis]) normal[axis] = 1;
+    if (axis < dim - 1 && x[axis] > tank_.max[axis]) normal[axis] = -1;
+  }
+  return normal.normalized();
+}
+
 template <int dim>
 auto Walls<dim>::tank_part() const -> Part {
-  Part part{.place = {}, .kind = {}, .motion = tank_motion_};
+  Part part{.place = {}, .normal = {}, .kind = {}, .motion = tank_motion_};
   Box<dim> outer = tank_;
   outer.min.array() -= thickness_;
   outer.max.template head<dim - 1>().array() += thickness_;
@@ -43,6 +75,7 @@ auto Walls<dim>::tank_part() const -> Part {
     const double depth =
         std::max((tank_.min - x).maxCoeff(), (x - tank_.max).template head<dim - 1>().maxCoeff());
     part.place.push_back(x);
+    part.normal.push_back(tank_normal(x));
     part.kind.push_back(depth < spacing_ ? Kind::wall : Kind::dummy);
   }
   return part;
@@ -50,28 +83,40 @@ auto Walls<dim>::tank_part() const -> Part {
 
 template <int dim>
 auto Walls<dim>::obstacle_part(const v1::Obstacle& obstacle, const Shape<dim>& shape) const -> Part {
-  Part part{.place = {}, .kind = {}, .motion = Motion<dim>(obstacle.motion())};
+  constexpr double nearest = 0.7;  // spacings to particles of the tank and of obstacles before
+  Part part{.place = {}, .normal = {}, .kind = {}, .motion = Motion<dim>(obstacle.motion())};
   const bool moves = part.motion.moves() || tank_motion_.moves();
-  for (const Vec<dim>& x : shape.fill(spacing_)) {
-    if (taken(x, moves)) continue;
-    bool bare = false;  // with a site beside it that is not of the obstacle
-    for (int axis = 0; axis < dim; ++axis)
-      for (const double side : {-spacing_, spacing_}) {
-        Vec<dim> across = x;
-        across[axis] += side;
-        bare = bare || !shape.contains(across);
-      }
+  const PointHash<dim> others = particles_near(shape.bounds());
+  const std::optional<Box<dim>> tank = moves ? std::nullopt : std::optional(tank_);
+  for (const auto& [x, kind] : fitted_layout(shape, tank, dummy_layers_, spacing_)) {
+    if (taken(x, moves) || others.any_within(x, nearest * spacing_)) continue;
     part.place.push_back(x);
-    part.kind.push_back(bare ? Kind::wall : Kind::dummy);
+    part.normal.push_back(normal_at(shape, x, spacing_));
+    part.kind.push_back(kind);
   }
   return part;
+}
+
+/// Particles of the tank and of the obstacles so far that are in a box or less than a spacing beside it.
+template <int dim>
+PointHash<dim> Walls<dim>::particles_near(const Box<dim>& box) const {
+  PointHash<dim> near(spacing_);
+  const Vec<dim> margin = Vec<dim>::Constant(spacing_);
+  const Box<dim> wider(box.min - margin, box.max + margin);
+  for (const Part& part : parts_)
+    for (const Vec<dim>& x : part.place)
+      if (wider.contains(x)) near.add(x);
+  return near;
 }
 
 template <int dim>
 void Walls<dim>::add_to(Particles<dim>& particles) {
   for (Part& part : parts_) {
     part.first_id = particles.size();
-    for (std::size_t k = 0; k < part.place.size(); ++k) particles.add(part.kind[k], part.place[k]);
+    for (std::size_t k = 0; k < part.place.size(); ++k) {
+      particles.add(part.kind[k], part.place[k]);
+      particles.normal.back() = part.normal[k];
+    }
   }
 }
 
@@ -99,6 +144,7 @@ Box<dim> Walls<dim>::domain() const {
 template <int dim>
 void Walls<dim>::move(Particles<dim>& particles, double end, double dt) {
   speed_ = 0;
+  approach_ = 0;
   if (std::none_of(parts_.begin(), parts_.end(), [](const Part& part) { return part.motion.moves(); }))
     return;
   for (int i = 0; i < particles.size(); ++i) {
@@ -107,11 +153,32 @@ void Walls<dim>::move(Particles<dim>& particles, double end, double dt) {
         std::prev(std::upper_bound(parts_.begin(), parts_.end(), particles.id[i],
                                    [](std::int32_t id, const Part& p) { return id < p.first_id; }));
     if (!of->motion.moves()) continue;
-    const Vec<dim>& X = of->place[static_cast<std::size_t>(particles.id[i] - of->first_id)];
+    const auto k = static_cast<std::size_t>(particles.id[i] - of->first_id);
+    const Vec<dim>& X = of->place[k];
     particles.x[i] = of->motion.place(X, end);
     particles.u[i] = (particles.x[i] - of->motion.place(X, end - dt)) / dt;
+    particles.normal[i] = of->motion.place(X + of->normal[k], end) - particles.x[i];
     speed_ = std::max(speed_, particles.u[i].norm());
+    if (of == parts_.begin()) continue;
+    const Vec<dim> in_tank = tank_motion_.place(tank_motion_.origin(particles.x[i], end), end - dt);
+    approach_ = std::max(approach_, (particles.u[i] - (particles.x[i] - in_tank) / dt).norm());
   }
+}
+
+template <int dim>
+double Walls<dim>::speed_between(double from, double to) const {
+  double fastest = 0;
+  const auto visit = [&](const Motion<dim>& motion, const Box<dim>& box) {
+    if (!motion.moves()) return;
+    for (int corner = 0; corner < (1 << dim); ++corner) {
+      Vec<dim> X;
+      for (int k = 0; k < dim; ++k) X[k] = ((corner >> k) & 1) != 0 ? box.max[k] : box.min[k];
+      fastest = std::max(fastest, (motion.place(X, to) - motion.place(X, from)).norm() / (to - from));
+    }
+  };
+  visit(tank_motion_, tank_);
+  for (std::size_t k = 0; k < obstacles_.size(); ++k) visit(parts_[k + 1].motion, obstacles_[k].bounds());
+  return fastest;
 }
 
 template <int dim>

@@ -4,6 +4,7 @@
 #include "common/shape.hpp"
 #include "fluid_solver/motion.hpp"
 #include "fluid_solver/particles.hpp"
+#include "fluid_solver/point_hash.hpp"
 
 namespace cosurge::fluid {
 
@@ -11,7 +12,8 @@ template <int dim>
 class Walls {
  public:
   /// The tank of the case: floor and side walls, one layer with pressure and `dummy_layers` behind it,
-  /// corners filled, open at the top (the last coordinate). Obstacles: their outermost layer has pressure.
+  /// corners filled, open at the top (the last coordinate). Obstacles: their outermost layer has pressure,
+  /// those with an outline are laid out parallel to it.
   /// They may overlap each other and go into floor and side walls: a site counts once, as the tank's, or as
   /// the first obstacle's that has it. What of an obstacle lies in the tank's walls at the start does not
   /// move with it.
@@ -37,13 +39,20 @@ class Walls {
   /// Largest speed of a wall in the last move [m/s].
   double speed() const { return speed_; }
 
+  /// Largest speed of an obstacle against the tank in the last move [m/s].
+  double approach() const { return approach_; }
+
+  /// Largest mean speed that any point of a wall has between two times, `from` < `to` [s] [m/s].
+  double speed_between(double from, double to) const;
+
   /// Whether x at time t has left the tank by more than a spacing, through floor or sides.
   bool outside(const Vec<dim>& x, double t) const;
 
  private:
   /// A tank or obstacle that moves as one.
   struct Part {
-    std::vector<Vec<dim>> place;  // of its particles at the start
+    std::vector<Vec<dim>> place;   // of its particles at the start
+    std::vector<Vec<dim>> normal;  // of the face they lie behind, at the start, towards the water
     std::vector<Kind> kind;
     Motion<dim> motion;
     std::int32_t first_id = 0;
@@ -51,16 +60,20 @@ class Walls {
 
   bool taken(const Vec<dim>& x, bool moves) const;
   void require_room(std::ptrdiff_t obstacle, const Vec<dim>& x, double t) const;
+  Vec<dim> tank_normal(const Vec<dim>& x) const;
   Part tank_part() const;
   Part obstacle_part(const v1::Obstacle& obstacle, const Shape<dim>& shape) const;
+  PointHash<dim> particles_near(const Box<dim>& box) const;
 
   Box<dim> tank_;
   double spacing_;
+  int dummy_layers_;
   double thickness_;  // of the tank's walls [m]
   std::vector<Shape<dim>> obstacles_;
   Motion<dim> tank_motion_;
   std::vector<Part> parts_;
   double speed_ = 0;
+  double approach_ = 0;
 };
 
 }  // namespace cosurge::fluid

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "fluid_solver/faces.hpp"
 #include "fluid_solver/weight.hpp"
 
 namespace cosurge::fluid {
@@ -41,7 +42,9 @@ inline std::uint32_t not_zero(const float* numbers) {
 
 template <int dim>
 PoissonEquation<dim>::PoissonEquation(const PoissonParameters<dim>& parameters)
-    : parameters_(parameters), reference_(reference_values<dim>(parameters.re, parameters.spacing)) {}
+    : parameters_(parameters),
+      reference_(reference_values<dim>(parameters.re, parameters.spacing)),
+      open_surface_(OpenSurface::on_lattice<dim>(parameters.re, parameters.spacing, reference_.smooth0)) {}
 
 template <int dim>
 void PoissonEquation<dim>::number_unknowns(const Particles<dim>& particles, const CellGrid<dim>& grid) {
@@ -116,11 +119,11 @@ void PoissonEquation<dim>::list_cells(const CellGrid<dim>& grid, int reach) {
 
 template <int dim>
 void PoissonEquation<dim>::assemble(const Particles<dim>& particles, const CellGrid<dim>& grid,
-                                    const std::vector<Vec<dim>>& areas, double dt) {
+                                    const std::vector<Vec<dim>>& areas, double tau) {
   number_unknowns(particles, grid);
   list_cells(grid, reach(grid));
   const double scale = reference_.lambda0 * reference_.n0 / (2 * dim);
-  const double stiffness = scale * parameters_.compressibility * parameters_.density / (dt * dt);
+  const double stiffness = scale * parameters_.compressibility * parameters_.density / (tau * tau);
   const Assembly assembly{.particles = particles, .grid = grid, .areas = areas, .reach = reach(grid)};
   A_.own.resize(place_.size());
   A_.diagonal.resize(place_.size());
@@ -128,16 +131,18 @@ void PoissonEquation<dim>::assemble(const Particles<dim>& particles, const CellG
   deviation_.resize(place_.size());
   sight_.resize(place_.size());
   const auto fill = [&](int k, std::int64_t begin) {
-    const Row row = fill_row(assembly, k, begin);
+    Row row = fill_row(assembly, k, begin);
     double weights = 0;
     for (int lane = 0; lane < Matrix::lanes; ++lane) weights += row.weights[lane];
+    double smooth = 1 + row.others;
+    for (int lane = 0; lane < Matrix::lanes; ++lane) smooth += static_cast<double>(row.smooth[lane]);
+    const double deviation = smooth / reference_.smooth0 - 1;
+    if (parameters_.open_surface) open_to_air(-deviation, row);
     A_.own[k] = stiffness + row.diagonal;
     A_.diagonal[k] = A_.own[k] + weights;
     wall_[k] = row.wall;
-    double smooth = 1 + row.others;
-    for (int lane = 0; lane < Matrix::lanes; ++lane) smooth += static_cast<double>(row.smooth[lane]);
     sight_[k] = row.sight;
-    deviation_[k] = row.sight == Sight::surface ? std::nan("") : smooth / reference_.smooth0 - 1;
+    deviation_[k] = row.sight == Sight::surface ? std::nan("") : deviation;
     return row.end - begin;
   };
   const auto room = [&](std::int64_t blocks) { A_.make_room(blocks); };
@@ -163,10 +168,11 @@ std::vector<double> PoissonEquation<dim>::divergence(const Particles<dim>& parti
   for (std::size_t m = 0; m < place_.size(); ++m) {
     const auto k = static_cast<int>(m);
     if (particles.kind[place_[m]] != Kind::fluid || sight_[m] > Sight::dummies) continue;
-    double sum = A_.template sum<Doubles>(
-        k, [&](const Floats& weights, int column) { return parting(u, k, weights, column); });
-    if (sight_[m] == Sight::dummies) sum += parting_of_dummies(particles, grid, place_[m], kick);
-    divergence[m] = per_sum * sum;
+    const bool faces = sight_[m] == Sight::dummies;
+    divergence[m] = per_sum * (faces ? parting_beside_walls(particles, grid, place_[m], kick)
+                                     : A_.template sum<Doubles>(k, [&](const Floats& weights, int column) {
+                                         return parting(u, k, weights, column);
+                                       }));
   }
   return divergence;
 }
@@ -183,16 +189,20 @@ Doubles PoissonEquation<dim>::parting(const Lines& velocity, int k, const Floats
   return __builtin_convertvector(weights, Doubles) * sum;
 }
 
-/// The same, summed over the dummies that particle i sees.
+/// The same, summed over all that particle i of the water sees: of walls only what goes across their faces.
 template <int dim>
-double PoissonEquation<dim>::parting_of_dummies(const Particles<dim>& particles, const CellGrid<dim>& grid,
-                                                int i, const Vec<dim>& kick) const {
+double PoissonEquation<dim>::parting_beside_walls(const Particles<dim>& particles, const CellGrid<dim>& grid,
+                                                  int i, const Vec<dim>& kick) const {
   double sum = 0;
   grid.ranges(grid.cell_of(particles.x[i]), reach(grid), [&](std::int32_t first, std::int32_t last) {
-    for (int m = first - rank_[first]; m < last - rank_[last]; ++m) {
-      const int j = other_[m];
+    for (std::int32_t j = first; j < last; ++j) {
       const Vec<dim> x_ij = particles.x[j] - particles.x[i];
-      sum += weight_at(x_ij) * (particles.u[j] + kick - particles.u[i]).dot(x_ij);
+      const double w = weight_at(x_ij);
+      if (w == 0) continue;
+      const Vec<dim> u_ij = particles.u[j] - particles.u[i];
+      sum += w * (particles.kind[j] == Kind::fluid
+                      ? u_ij.dot(x_ij)
+                      : across_face<dim>(u_ij + kick, particles.normal[j]).dot(x_ij));
     }
   });
   return sum;
@@ -292,6 +302,15 @@ void PoissonEquation<dim>::hide_behind_bodies(const Assembly& assembly, int firs
   }
 }
 
+/// Ties the row to P = 0 by what is missing around its particle.
+template <int dim>
+void PoissonEquation<dim>::open_to_air(double lack, Row& row) const {
+  const double weight = open_surface_.weight(lack);
+  if (weight == 0) return;
+  row.diagonal += weight;
+  row.see(Sight::surface);
+}
+
 /// Free surface (P = 0), and walls by the Neumann condition: the particles first ... last of those without an
 /// unknown.
 template <int dim>
@@ -304,7 +323,8 @@ void PoissonEquation<dim>::add_others(const Assembly& assembly, int first, int l
     const double w = weight_at(x_ij);
     if (w == 0) continue;
     const double r = x_ij.norm();
-    const bool wall = !has_pressure(particles.kind[j]) ||
+    const bool dry = parameters_.open_surface && particles.kind[j] != Kind::fluid;
+    const bool wall = dry || !has_pressure(particles.kind[j]) ||
                       (on_body && behind<dim>(assembly.areas[row.i], x_ij, r)) ||
                       (particles.kind[j] == Kind::body_surface && behind<dim>(assembly.areas[j], -x_ij, r));
     if (wall) {
@@ -313,7 +333,8 @@ void PoissonEquation<dim>::add_others(const Assembly& assembly, int first, int l
       row.see(of_body(particles.kind[j]) ? Sight::bodies : Sight::dummies);
     } else {
       row.diagonal += w;
-      row.see(Sight::surface);
+      row.others += smooth_share(w);
+      if (!parameters_.open_surface) row.see(Sight::surface);
     }
   }
 }

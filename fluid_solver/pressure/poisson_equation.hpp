@@ -3,6 +3,7 @@
 
 #include "fluid_solver/neighbors.hpp"
 #include "fluid_solver/pressure/linear_solver.hpp"
+#include "fluid_solver/pressure/open_surface.hpp"
 #include "fluid_solver/reference_values.hpp"
 
 namespace cosurge::fluid {
@@ -14,10 +15,14 @@ struct PoissonParameters {
   double density;          ///< rho [kg/m3]
   double compressibility;  ///< alpha [1/Pa]
   Vec<dim> gravity;        ///< [m/s2]
+  /// Whether the free surface is what OpenSurface makes of missing water; else P = 0 at particles flagged as
+  /// free surface, as the paper has it. Flagged are then only particles without pressure: lone drops, and
+  /// walls without water beside them.
+  bool open_surface = false;
 };
 
-/// Eq. (11): (2 d / (lambda0 n0)) sum (P_j - P_i) w - alpha rho / dt^2 P_i = S_i for every particle with a
-/// pressure that is not free surface (P = 0 there). Times -lambda0 n0 / (2 d) it is a symmetric M-matrix.
+/// Eq. (11): (2 d / (lambda0 n0)) sum (P_j - P_i) w - alpha rho / tau^2 P_i = S_i for every particle with a
+/// pressure that is not flagged as free surface. Times -lambda0 n0 / (2 d) it is a symmetric M-matrix.
 /// Dummies and inner points of bodies stand for P_j = P_i + rho g . x_ij: the Neumann condition of a wall at
 /// rest. So do pairs that see each other through a body.
 template <int dim>
@@ -26,22 +31,22 @@ class PoissonEquation {
   explicit PoissonEquation(const PoissonParameters<dim>& parameters);
 
   /// Builds the matrix. `areas` are the area vectors of the particles on body surfaces (others are not looked
-  /// at), by place.
+  /// at), by place. `tau` [s] is the time on which the source mends the density.
   void assemble(const Particles<dim>& particles, const CellGrid<dim>& grid,
-                const std::vector<Vec<dim>>& areas, double dt);
+                const std::vector<Vec<dim>>& areas, double tau);
 
   /// Builds the right-hand side for the matrix that is there; `source` is S for each particle, by place
   /// [kg/(m3 s2)].
   void set_source(const std::vector<double>& source);
 
   /// Deviation of each unknown's smooth density, eq. (2b) with the radius of the Laplacian, from that of the
-  /// lattice, over the latter [-]; NaN where the free surface lies within the radius: missing water cannot be
-  /// told from thin water there.
+  /// lattice, over the latter [-]; NaN beside the free surface: missing water cannot be told from thin water
+  /// there.
   const std::vector<double>& deviation() const { return deviation_; }
 
   /// Divergence of the velocity with the equation's own weights, eq. (10b), at each unknown [1/s]; NaN at
-  /// those that are no water, or have a free surface or a body within the radius. `kick` is added to what
-  /// walls have.
+  /// those that are no water, lie beside a free surface or have a body within the radius. Water slides along
+  /// walls, as in `divergence` of operators.hpp; `kick` is added to their velocity.
   std::vector<double> divergence(const Particles<dim>& particles, const CellGrid<dim>& grid,
                                  const Vec<dim>& kick) const;
 
@@ -90,17 +95,19 @@ class PoissonEquation {
   void weigh(const Vec<dim>& x_i, int first, int count, float* weights) const;
   void hide_behind_bodies(const Assembly& assembly, int first, int count, float* weights, Row& row) const;
   void append_blocks(int first, int count, const float* weights, Row& row);
+  void open_to_air(double lack, Row& row) const;
   void add_others(const Assembly& assembly, int first, int last, Row& row) const;
   template <typename Value>
   Lines in_lines(Value&& value) const;
   Doubles parting(const Lines& velocity, int k, const Floats& weights, int column) const;
-  double parting_of_dummies(const Particles<dim>& particles, const CellGrid<dim>& grid, int i,
-                            const Vec<dim>& kick) const;
+  double parting_beside_walls(const Particles<dim>& particles, const CellGrid<dim>& grid, int i,
+                              const Vec<dim>& kick) const;
   double weight_at(const Vec<dim>& x_ij) const;
   int reach(const CellGrid<dim>& grid) const;  // cells to each side that a row looks at
 
   PoissonParameters<dim> parameters_;
   ReferenceValues reference_;
+  OpenSurface open_surface_;
   Matrix A_;
   std::vector<double> b_;
   std::vector<double> wall_;  // of the Neumann terms, in b_

@@ -24,11 +24,17 @@ inline double mixed_source(const SourceInput& in, double gamma) {
   return (1 - gamma) * in.density / in.dt * in.divergence + deviation_source(in, gamma);
 }
 
-/// Eq. (6c): S = rho c / l0 div u* - rho (c / l0)^2 (n* - n0) / n0 (Cheng, Amaro & Favero 2021, arXiv
-/// 2203.08873): the same on the time scale l0 / c of a propagation speed c, whatever the step. `rate` is c /
-/// l0 [1/s], at most 1 / dt.
-inline double time_scale_source(const SourceInput& in, double rate) {
-  return in.density * rate * (in.divergence - rate * in.deviation);
+/// How fast the source `time_scale` mends what the pressure has to mend [1/s].
+struct Rates {
+  double divergence;  ///< k_u, at most 1 / dt
+  double density;     ///< k_n, at most k_u
+};
+
+/// Eq. (6c): S = rho k_u div u* - rho k_n^2 (n* - n0) / n0, after Cheng, Amaro & Favero 2021 (arXiv
+/// 2203.08873), who have one rate c / l0 for both: the divergence decays on a time scale of its own, whatever
+/// the step, and the density follows, damped by k_u / (2 k_n) of critical.
+inline double time_scale_source(const SourceInput& in, const Rates& rates) {
+  return in.density * (rates.divergence * in.divergence - rates.density * rates.density * in.deviation);
 }
 
 }  // namespace cosurge::fluid

@@ -18,6 +18,7 @@ struct SceneParameters {
   double disorder = 0;  ///< [l0]
   double compressibility = 1e-20;
   const v1::Solid* solid = nullptr;
+  bool open_surface = false;
 };
 
 /// A tank with water and a body in it, its free surface found and its pressure equation with no source.
@@ -30,7 +31,8 @@ struct Tank {
                   .re = 4 * l0,
                   .density = rho,
                   .compressibility = p.compressibility,
-                  .gravity = -g * Vec<dim>::Unit(dim - 1)}) {
+                  .gravity = -g * Vec<dim>::Unit(dim - 1),
+                  .open_surface = p.open_surface}) {
     box.max[dim - 1] = p.water + 0.04;
     fill_with_water(p);
     walls_of<dim>(box, l0).add_to(cloud.particles);
@@ -39,8 +41,11 @@ struct Tank {
     for (int k = 0; k < bodies.points(); ++k)
       cloud.particles.add(bodies.wet(k) ? Kind::body_surface : Kind::body_inner, bodies.position(k));
     cloud.neighbors.rebuild(cloud.particles);
-    density_and_free_surface(cloud.particles, cloud.neighbors, reference_values<dim>(2.1 * l0, l0).n0,
-                             {.beta = 0.97, .delta = 0.2 * l0});
+    if (p.open_surface)
+      density_and_lone_particles(cloud.particles, cloud.neighbors);
+    else
+      density_and_free_surface(cloud.particles, cloud.neighbors, reference_values<dim>(2.1 * l0, l0).n0,
+                               {.beta = 0.97, .delta = 0.2 * l0});
     const auto size = static_cast<std::size_t>(cloud.particles.size());
     areas.assign(size, Vec<dim>::Zero());
     const Interface interface = bodies.interface();

@@ -35,7 +35,7 @@ Field affine(const Bodies<dim>& bodies, const Mat<dim>& F, const Vec<dim>& shift
 template <int dim>
 void expect_nanson(const Bodies<dim>& bodies, const Mat<dim>& F) {
   const Field A_0 = bodies.interface().area;
-  const auto areas = bodies.deformed_areas(affine<dim>(bodies, F, Vec<dim>::Constant(0.3)));
+  const auto areas = bodies.deformed(affine<dim>(bodies, F, Vec<dim>::Constant(0.3))).area;
   for (int k = 0; k < bodies.points(); ++k) {
     const Vec<dim> exact = F.determinant() * F.inverse().transpose() * A_0.col(k);
     EXPECT_LT((areas[k] - exact).norm(), rounding) << k;
@@ -93,7 +93,7 @@ TEST(BodySurface, TurnsWithARigidRotation) {
     const double angle = degrees * EIGEN_PI / 180;
     const Mat<2> R = Eigen::Rotation2Dd(angle).toRotationMatrix();
     const Bodies<2> plate = free_plate();
-    const auto turned = plate.deformed_areas(affine<2>(plate, R, {0.1, 0.2}));
+    const auto turned = plate.deformed(affine<2>(plate, R, {0.1, 0.2})).area;
     for (int k = 0; k < plate.points(); ++k)
       EXPECT_LT((turned[k] - R * plate.interface().area.col(k)).norm(), rounding);
     expect_nanson<3>(free_brick(), Eigen::AngleAxisd(angle, Vec<3>(1, 2, 2) / 3).toRotationMatrix());
@@ -112,8 +112,8 @@ TEST(BodySurface, StretchesAndShearsByNansonsFormula) {
   // By hand: a face with its normal along x grows with the stretch along y, and shear along x leaves it
   // upright but tilts the normal of the side faces.
   const Bodies<2> plate = free_plate();
-  const auto wide = plate.deformed_areas(affine<2>(plate, stretch, {0, 0}));
-  const auto tilted = plate.deformed_areas(affine<2>(plate, shear, {0, 0}));
+  const auto wide = plate.deformed(affine<2>(plate, stretch, {0, 0})).area;
+  const auto tilted = plate.deformed(affine<2>(plate, shear, {0, 0})).area;
   for (int k = 0; k < plate.points(); ++k) {
     if (plate.interface().area.col(k) != Vec<2>(-l0, 0)) continue;
     EXPECT_LT((wide[k] - Vec<2>(-0.8 * l0, 0)).norm(), rounding);
@@ -153,7 +153,7 @@ TEST(BodySurface, BodiesThatTouchKeepTheirOwnDeformation) {
   const Interface interface = bodies.interface();
   for (int k = 0; k < bodies.points(); ++k)
     if (interface.body[k] == 1) displacement(0, k) = 0.05;  // the second one has gone away
-  const auto areas = bodies.deformed_areas(displacement);
+  const auto areas = bodies.deformed(displacement).area;
   for (int k = 0; k < bodies.points(); ++k) EXPECT_LT((areas[k] - interface.area.col(k)).norm(), rounding);
 }
 

@@ -1,0 +1,43 @@
+// Damping of what particles of the free surface do against each other.
+#pragma once
+
+#include <algorithm>
+
+#include "fluid_solver/neighbors.hpp"
+#include "fluid_solver/weight.hpp"
+
+namespace cosurge::fluid {
+
+struct SurfaceDamping {
+  double thin;   ///< number density below which a particle is near the surface [-]
+  double share;  ///< of a relative velocity that full neighbours would take out in this step [-], at most 0.3
+};
+
+/// Eq. (7b): beside the surface, for a step `dt` [s] at the propagation speed c [m/s]: a relative velocity
+/// decays at half of c / l0, on lattice neighbours all around.
+inline SurfaceDamping surface_damping(double n0, double c, double spacing, double dt) {
+  constexpr double thin = 0.8;    // of n0: the outer layer of the lattice has 0.68
+  constexpr double rate = 0.5;    // of c / l0
+  constexpr double stable = 0.3;  // explicit diffusion
+  return {.thin = thin * n0, .share = std::min(stable, rate * dt * c / spacing)};
+}
+
+/// Velocity change of water particle i, eq. (7b): share / n0 sum of w ((u_j - u_i) . x_ij) x_ij / r^2 over
+/// the pairs of water of which one is near the surface. Pairs exchange equal and opposite impulses along the
+/// line between them: momentum and angular momentum stay, rigid rotation is not damped, and energy only
+/// falls. Particles without a full neighbourhood have errors of the pressure gradient that make a surface
+/// froth.
+template <int dim>
+Vec<dim> damp_surface(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i, double n0,
+                      const SurfaceDamping& damping) {
+  const auto thin = [&](int k) { return particles.n[k] < damping.thin; };
+  const bool i_thin = thin(i);
+  Vec<dim> sum = Vec<dim>::Zero();
+  neighbors.each(particles, i, [&](int j, const Vec<dim>& x_ij, double r) {
+    if (particles.kind[j] != Kind::fluid || r == 0 || !(i_thin || thin(j))) return;
+    sum += weight(r, neighbors.re()) * (particles.u[j] - particles.u[i]).dot(x_ij) / (r * r) * x_ij;
+  });
+  return damping.share / n0 * sum;
+}
+
+}  // namespace cosurge::fluid
