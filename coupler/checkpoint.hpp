@@ -13,8 +13,10 @@ struct Checkpoint {
   static constexpr const char* name = "checkpoint";
 
   v1::Case the_case;
-  double time = 0;    ///< [s]
-  std::string state;  ///< Coupler::save()
+  double time = 0;            ///< [s]
+  std::uint64_t windows = 0;  ///< rows of each history at that time
+  std::uint64_t frames = 0;   ///< frames at that time
+  std::string state;          ///< Coupler::save()
 
   /// Replaces the checkpoint of `folder` in one go. @throws Error when it cannot be written.
   void write(const std::filesystem::path& folder) const;
@@ -39,7 +41,9 @@ class CheckpointWriter : public Observer {
   const Coupler& coupler_;
 };
 
-/// Feeds the rows and frames of `results` up to `time` [s] to a new recorder of the same run.
-void replay(const std::filesystem::path& results, double time, Recorder& recorder);
+/// Feeds the rows and frames that `results` had at the time of `checkpoint` to a new recorder of the same
+/// run.
+/// @throws Error where the results lack a part of them, or are of another run.
+void replay(const std::filesystem::path& results, const Checkpoint& checkpoint, Recorder& recorder);
 
 }  // namespace cosurge

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "common/error.hpp"
 #include "common/state_bytes.hpp"
@@ -41,7 +42,7 @@ Coupler::Coupler(const v1::Case& the_case, Participants participants)
 }
 
 bool Coupler::run(const Observers& observers, const std::function<bool()>& stop) {
-  if (schedule_.windows() == 0) show_frame(observers);
+  if (!std::exchange(began_, true)) show_frame(observers);
   settle(observers);
   while (!schedule_.finished()) {
     if (stop()) {
@@ -138,6 +139,7 @@ void Coupler::restore(const std::string& bytes) {
   restore_all_but_scheme(state);
   scheme_->restore(state);
   state.finish();
+  began_ = true;  // whoever saved the state has shown the frame at the start
 }
 
 void Coupler::save_all_but_scheme(StateWriter& state) const {

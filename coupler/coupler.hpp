@@ -53,6 +53,7 @@ class Coupler {
   std::uint64_t unconverged() const { return unconverged_; }  ///< windows whose iterations ran out
   double time() const { return schedule_.time(); }
   std::uint64_t windows() const { return schedule_.windows(); }
+  std::uint64_t frames() const { return schedule_.frames(); }  ///< shown once run() has begun
 
  private:
   /// A window that observers have not seen yet.
@@ -82,6 +83,7 @@ class Coupler {
   InterfaceAccount account_;
   std::uint64_t unconverged_ = 0;
   std::vector<std::string> notes_;  // since this coupler was made
+  bool began_ = false;              // the frame at the start has been shown
   double largest_ = 0;              // next window that all participants can do [s]
   std::vector<Row> waiting_;        // windows that are not settled
   std::string settled_;             // the state where they began, without the scheme's; empty: none may wait

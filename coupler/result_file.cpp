@@ -1,5 +1,7 @@
 #include "coupler/result_file.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <system_error>
@@ -162,7 +164,13 @@ void ResultFile::append(const std::string& name, const Array& frame) {
 }
 
 void ResultFile::flush() {
-  attempt("cannot be flushed", [&] { file_.flush(H5F_SCOPE_GLOBAL); });
+  attempt("cannot be flushed", [&] {
+    file_.flush(H5F_SCOPE_GLOBAL);
+    void* descriptor = nullptr;
+    file_.getVFDHandle(&descriptor);
+    if (descriptor != nullptr && fsync(*static_cast<int*>(descriptor)) != 0 && errno != EINVAL)
+      throw H5::FileIException("fsync", "the disk did not take it");
+  });
 }
 
 }  // namespace cosurge

@@ -43,6 +43,7 @@ class ResultFile {
   /// Frames x particles (x components, for vectors), as float32. The first frame sets the lengths.
   void append(const std::string& name, const Array& frame);
 
+  /// Afterwards all is on the disk, also where the machine fails.
   void flush();
 
  private:

@@ -53,6 +53,16 @@ ResultFolder::ResultFolder(const fs::path& case_path, const fs::path& out) {
     path_ = fs::path("results") / fmt::format("{}-{}", name, number);
 }
 
+ResultFolder::ResultFolder(const fs::path& existing) : path_(existing) {
+  require(fs::is_directory(path_), "{}: no folder of results there", path_.string());
+  require(
+      lock(),
+      "{}: a run is going on in this folder; wait for its end, or end it (Ctrl-C or SIGTERM), then resume",
+      path_.string());
+}
+
+ResultFolder ResultFolder::of_a_run(const fs::path& folder) { return ResultFolder(folder); }
+
 ResultFolder::~ResultFolder() {
   if (locked_ >= 0) close(locked_);
 }

@@ -112,7 +112,8 @@ std::unique_ptr<Recorder> make_recorder(const fs::path& folder, const v1::Case& 
   const fs::path fresh = results.string() + ".new";
   fs::remove(fresh);  // of a resumption that was cut off
   auto recorder = make(fresh.filename());
-  replay(results, checkpoint->time, *recorder);
+  replay(results, *checkpoint, *recorder);
+  recorder->flush();  // also the rows after the last frame: from here on the old file is gone
   fs::rename(fresh, results);
   return recorder;
 }
@@ -201,9 +202,10 @@ int run_command(const RunOptions& options) {
 }
 
 int resume_command(const RunOptions& options) {
+  const ResultFolder folder = ResultFolder::of_a_run(options.out);
   const Checkpoint checkpoint = Checkpoint::read(options.out);
   require(checkpoint.time < checkpoint.the_case.time().end(), "{}: the run is finished", options.out);
-  return launch(options, checkpoint.the_case, options.out, &checkpoint);
+  return launch(options, checkpoint.the_case, folder.path(), &checkpoint);
 }
 
 }  // namespace cosurge

@@ -24,6 +24,7 @@ class WindowSchedule {
 
   double time() const { return time_; }
   std::uint64_t windows() const { return index_; }
+  std::uint64_t frames() const { return frames_ + 1; }  ///< so far, with the one at the start
   bool at_frame() const { return at_frame_; }
   bool finished() const { return finished_; }
 
