@@ -67,6 +67,7 @@ Mps<dim>::Mps(const v1::Fluid& fluid, const v1::Solid* solid, const Vec<dim>& gr
   propagation_speed_ = fluid.has_propagation_speed() ? fluid.propagation_speed()
                                                      : shallow_speed(particles_.x, gravity, fluid.spacing());
   walls_.add_to(particles_);
+  if (!open_surface()) std::fill(particles_.normal.begin(), particles_.normal.end(), Vec<dim>::Zero());
   first_body_id_ = particles_.size();
   const Box<dim> tank(fluid.tank());
   if (!sites.empty())
@@ -134,7 +135,7 @@ void Mps<dim>::move_bodies(const Field& displacement, const Field& velocity) {
   faces_ = bodies_.deformed(displacement);
   for (int k = 0; k < bodies_.points(); ++k) {
     particles_.x[body_place_[k]] = bodies_.position(k) + displacement.col(k);
-    particles_.normal[body_place_[k]] = faces_.normal[k];
+    if (open_surface()) particles_.normal[body_place_[k]] = faces_.normal[k];
   }
   set_body_velocity(velocity);
 }
@@ -248,11 +249,19 @@ void Mps<dim>::locate_bodies() {
                     gone, bodies_.points()));
 }
 
+/// Collisions of the paper's sources give some of the approach back; with an open surface they are plastic.
+template <int dim>
+double Mps<dim>::restitution() const {
+  const v1::Collision& collision = parameters_.collision();
+  if (collision.has_restitution()) return collision.restitution();
+  return open_surface() ? 0 : 0.2;
+}
+
 template <int dim>
 void Mps<dim>::diffuse_and_collide(double dt) {
   clock_.enter(evaluating);
   const CollisionLaw law{.distance = parameters_.collision().distance() * parameters_.spacing(),
-                         .restitution = parameters_.collision().restitution()};
+                         .restitution = restitution()};
   const double nu = parameters_.kinematic_viscosity();
   const SurfaceDamping damping =
       surface_damping(reference_.n0, propagation_speed_, parameters_.spacing(), dt);

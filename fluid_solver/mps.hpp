@@ -82,6 +82,7 @@ class Mps {
   void assemble(double dt);
   /// Whether missing neighbours count as air, and not flags: see pressure/open_surface.hpp.
   bool open_surface() const { return parameters_.source() == v1::Fluid::time_scale; }
+  double restitution() const;
   double near_deviation(int i) const;
   double near_smooth_deviation(int i) const;
   double unbiased_deviation(int i, double smooth) const;
