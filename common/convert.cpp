@@ -178,6 +178,7 @@ Setup decode(const v1::Initialized& message) {
 void encode(const Report& report, v1::Advanced& message) {
   message.mutable_values()->Assign(report.values.begin(), report.values.end());
   message.set_window(report.window);
+  for (const std::string& note : report.notes) message.add_notes(note);
 }
 
 Report decode(const v1::Advanced& message, std::size_t columns) {
@@ -187,7 +188,8 @@ Report decode(const v1::Advanced& message, std::size_t columns) {
     require(std::isfinite(message.values(k)), "reported value {} is {}", k, message.values(k));
   }
   return {.values = {message.values().begin(), message.values().end()},
-          .window = checked_window(message.window())};
+          .window = checked_window(message.window()),
+          .notes = {message.notes().begin(), message.notes().end()}};
 }
 
 void encode(const Snapshot& snapshot, v1::Snapshot& message) {

@@ -82,8 +82,9 @@ struct Setup {
 
 /// What a participant says of one window.
 struct Report {
-  std::vector<double> values;  ///< one a column
-  double window = 0;           ///< largest next window [s]
+  std::vector<double> values;           ///< one a column
+  double window = 0;                    ///< largest next window [s]
+  std::vector<std::string> notes = {};  ///< sentences for whoever watches the run
 };
 
 /// A named array of a frame: components values for each particle, one particle after the other.

@@ -20,7 +20,8 @@ constexpr std::array<std::string_view, 12> fluid_columns = {"ppe_iterations",
                                                             "inside_bodies",
                                                             "water"};
 // Of those with a direction, as the columns of displacement probes are.
-constexpr std::array<std::string_view, 3> solid_columns = {"load_x", "load_y", "load_z"};
+constexpr std::array<std::string_view, 6> solid_columns = {
+    "load_x", "load_y", "load_z", "contact_load_x", "contact_load_y", "contact_load_z"};
 
 }  // namespace
 

@@ -48,6 +48,7 @@ void Progress::find(const std::vector<Member>& members, const std::string& membe
 }
 
 void Progress::window(const Window& window, const Reports& reports, const std::vector<double>& coupling) {
+  tell_notes(reports);
   const auto now = Clock::now();
   ++unshown_;
   const double time = window.start + window.size;
@@ -68,6 +69,13 @@ void Progress::window(const Window& window, const Reports& reports, const std::v
   line += fmt::format("  {:.1f} ms/window  {} left", 1e3 * each, clock_text(elapsed * (end_ - time) / time));
   std::fputs((terminal_ ? "\r\x1b[K" + line : line + "\n").c_str(), out_);
   std::fflush(out_);
+}
+
+/// On lines of their own, also where the progress line is not due.
+void Progress::tell_notes(const Reports& reports) {
+  for (const Report& report : reports)
+    for (const std::string& note : report.notes)
+      std::fputs((terminal_ ? "\r\x1b[K" + note + "\n" : note + "\n").c_str(), out_);
 }
 
 /// What passes through the interface, and how hard it is to couple.

@@ -33,6 +33,7 @@ class Progress : public Observer {
   void find(const std::vector<Member>& members, const std::string& member, const std::string& column,
             const std::string& label);
 
+  void tell_notes(const Reports& reports);
   std::string coupling_text(const std::vector<double>& values) const;
 
   double end_;

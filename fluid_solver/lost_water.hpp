@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "common/motion.hpp"
 #include "common/participant.hpp"
 #include "common/state_bytes.hpp"
-#include "fluid_solver/motion.hpp"
 #include "fluid_solver/particles.hpp"
 
 namespace cosurge::fluid {

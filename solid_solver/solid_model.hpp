@@ -71,6 +71,14 @@ class SolidModel {
   /// sum over sub-steps k of s_k dq_k in the last window [m]: what ramped loads work on (S15).
   virtual Field ramp_increment() const = 0;
 
+  /// M^-1 f: what loads on the nodes [N] accelerate them by where nothing else acts, about the undeformed
+  /// bodies [m/s2]; held nodes by nothing.
+  virtual Field acceleration_by(const Field& load) const = 0;
+
+  /// Where in a sub-step, as a share of it, displacements go on with the present velocity until a force that
+  /// depends on them and is held over the sub-step neither gives nor takes energy (S45).
+  virtual double force_instant() const { return 0.5; }
+
   virtual double max_speed() const = 0;  ///< [m/s] of the nodes
   virtual Energies energies() const = 0;
 
@@ -80,6 +88,9 @@ class SolidModel {
   /// Quantities of this model alone, reported after every window.
   virtual std::vector<Column> columns() const { return {}; }
   virtual std::vector<double> values() const { return {}; }
+
+  /// What the model has to say of the last window, in sentences; empty afterwards.
+  virtual std::vector<std::string> take_notes() { return {}; }
 
   /// The complete state: restore(save()) continues bit for bit.
   virtual std::string save() const = 0;

@@ -8,6 +8,7 @@
 #include "common/solvers.hpp"
 #include "common/state_bytes.hpp"
 #include "common/version.hpp"
+#include "solid_solver/contact/contact_model.hpp"
 #include "solid_solver/models/make_model.hpp"
 #include "solid_solver/oscillator.hpp"
 
@@ -34,7 +35,7 @@ Identity SolidParticipant::identity() const {
 
 Setup SolidParticipant::initialize(const v1::Case& the_case, Interface& interface, Surface& surface) {
   cpu_seconds_at_start_ = cpu_seconds();
-  model_ = make_model(the_case);
+  model_ = contact::with_contact(make_model(the_case), the_case, solid_spacing(the_case));
   dimension_ = the_case.dimension();
   ramped_ = the_case.coupling().load() == v1::Coupling::ramped;
   end_velocity_ = the_case.coupling().velocity() == v1::Coupling::end;
@@ -127,7 +128,7 @@ Report SolidParticipant::advance(const Window& window, Surface& surface) {
   displacement_ = moved;
   load_ = new_load;
   clock_.leave();
-  return {.values = values(taken), .window = no_limit};
+  return {.values = values(taken), .window = no_limit, .notes = model_->take_notes()};
 }
 
 std::vector<Column> SolidParticipant::columns() const {

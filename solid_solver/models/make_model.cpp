@@ -13,12 +13,6 @@
 namespace cosurge {
 namespace {
 
-double spacing_of(const v1::Case& the_case) {
-  if (the_case.solid().has_spacing()) return the_case.solid().spacing();
-  require(the_case.has_fluid(), "solid.spacing: missing, and there is no fluid to take it from");
-  return the_case.fluid().spacing();
-}
-
 template <int dim>
 Vec<dim> gravity_of(const v1::Case& the_case) {
   if (the_case.gravity_size() == 0) return Vec<dim>::Zero();
@@ -28,7 +22,7 @@ Vec<dim> gravity_of(const v1::Case& the_case) {
 template <int dim>
 std::unique_ptr<SolidModel> make(const v1::Case& the_case) {
   const v1::Solid& solid = the_case.solid();
-  const double spacing = spacing_of(the_case);
+  const double spacing = solid_spacing(the_case);
   const Vec<dim> gravity = gravity_of<dim>(the_case);
   switch (solid.model()) {
     case v1::SolidModel::mps:
@@ -49,6 +43,12 @@ std::unique_ptr<SolidModel> make(const v1::Case& the_case) {
 
 }  // namespace
 
+double solid_spacing(const v1::Case& the_case) {
+  if (the_case.solid().has_spacing()) return the_case.solid().spacing();
+  require(the_case.has_fluid(), "solid.spacing: missing, and there is no fluid to take it from");
+  return the_case.fluid().spacing();
+}
+
 std::unique_ptr<SolidModel> make_model(const v1::Case& the_case) {
   require(the_case.has_solid(), "the case has no solid");
   const auto model = the_case.solid().model();
@@ -56,7 +56,7 @@ std::unique_ptr<SolidModel> make_model(const v1::Case& the_case) {
   require(!deformable || the_case.solid().has_young_modulus(),
           "solid.young_modulus: missing, the model {} needs it", v1::SolidModel::Word_Name(model));
   const auto made = [](const v1::Case& c) { return c.dimension() == 2 ? make<2>(c) : make<3>(c); };
-  const std::vector<double> origin = origin_near_bodies(the_case, spacing_of(the_case));
+  const std::vector<double> origin = origin_near_bodies(the_case, solid_spacing(the_case));
   if (origin.empty()) return made(the_case);
   return saying_origin(origin, [&]() -> std::unique_ptr<SolidModel> {
     return std::make_unique<RelocatedModel>(made(relocated(the_case, origin)), origin);

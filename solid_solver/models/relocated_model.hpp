@@ -44,11 +44,14 @@ class RelocatedModel : public SolidModel {
   Field displacement() const override { return model_->displacement(); }
   Field velocity() const override { return model_->velocity(); }
   Field ramp_increment() const override { return model_->ramp_increment(); }
+  Field acceleration_by(const Field& load) const override { return model_->acceleration_by(load); }
+  double force_instant() const override { return model_->force_instant(); }
   double max_speed() const override { return model_->max_speed(); }
   Energies energies() const override { return model_->energies(); }
   std::vector<NodalMode> modes(int count) const override { return model_->modes(count); }
   std::vector<Column> columns() const override { return model_->columns(); }
   std::vector<double> values() const override { return model_->values(); }
+  std::vector<std::string> take_notes() override { return model_->take_notes(); }
   std::string save() const override { return model_->save(); }
   void restore(const std::string& state) override { model_->restore(state); }
   Snapshot frame() const override;

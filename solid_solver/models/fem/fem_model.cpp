@@ -1,5 +1,6 @@
 #include "solid_solver/models/fem/fem_model.hpp"
 
+#include <Eigen/IterativeLinearSolvers>
 #include <algorithm>
 #include <cmath>
 
@@ -91,6 +92,16 @@ typename FemModel<dim>::Vectors FemModel<dim>::velocities() const {
   Vectors all;
   for (const auto& motion : motions_) all.push_back(motion.velocity());
   return all;
+}
+
+template <int dim>
+Field FemModel<dim>::acceleration_by(const Field& load) const {
+  Vectors all;
+  for (std::size_t b = 0; b < motions_.size(); ++b) {
+    Eigen::ConjugateGradient<Matrix, Eigen::Lower> mass(bodies_.bodies()[b].mass());
+    all.emplace_back(mass.solve(bodies_.of_body(b, load)));
+  }
+  return bodies_.to_nodes(all);
 }
 
 template <int dim>

@@ -29,6 +29,7 @@ class FemModel : public SolidModel {
   Field displacement() const override { return bodies_.to_nodes(displacements()); }
   Field velocity() const override { return bodies_.to_nodes(velocities()); }
   Field ramp_increment() const override { return bodies_.to_nodes(ramp_increment_); }
+  Field acceleration_by(const Field& load) const override;
   double max_speed() const override { return bodies_.max_speed(velocities()); }
   Energies energies() const override;
 

@@ -28,6 +28,8 @@ class HamiltonianBody : public particles::ParticleBody<dim> {
   void advance(int substeps, double dt) override;
   Energies energies(double dt) const override;
   Field acceleration() const override;
+
+  double force_instant() const override { return 0.5; }
   void place(std::size_t particle, const Vec<dim>& displacement, const Vec<dim>& velocity) override;
   void save(StateWriter& state) const override;
   void restore(StateReader& state) override;

@@ -56,6 +56,16 @@ typename ModalModel<dim>::Vectors ModalModel<dim>::motion(double OscillatorState
 }
 
 template <int dim>
+Field ModalModel<dim>::acceleration_by(const Field& load) const {
+  Vectors all;
+  for (std::size_t b = 0; b < modes_.size(); ++b) {
+    const Eigen::MatrixXd& shapes = modes_[b].shapes;
+    all.emplace_back(shapes * (shapes.transpose() * bodies_.of_body(b, load)));
+  }
+  return bodies_.to_nodes(all);
+}
+
+template <int dim>
 std::vector<NodalMode> ModalModel<dim>::modes(int count) const {
   std::vector<NodalMode> lowest;
   for (std::size_t b = 0; b < modes_.size(); ++b)

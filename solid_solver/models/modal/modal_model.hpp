@@ -31,6 +31,7 @@ class ModalModel : public SolidModel {
   Field displacement() const override { return bodies_.to_nodes(motion(&OscillatorState::position)); }
   Field velocity() const override { return bodies_.to_nodes(motion(&OscillatorState::velocity)); }
   Field ramp_increment() const override { return bodies_.to_nodes(motion(&OscillatorState::ramp_increment)); }
+  Field acceleration_by(const Field& load) const override;
   double max_speed() const override { return bodies_.max_speed(motion(&OscillatorState::velocity)); }
   Energies energies() const override;
 

@@ -36,6 +36,9 @@ class MpsBody : public particles::ParticleBody<dim> {
 
   Field acceleration() const override;
 
+  /// The velocity takes a sub-step's impulse before the particles move by it.
+  double force_instant() const override { return 0; }
+
   /// Moves one free particle: displacement [m], rotation vector [rad], velocity [m/s], angular velocity
   /// [rad/s].
   void place(std::size_t particle, const Vec<dim>& displacement, const Axial& rotation,

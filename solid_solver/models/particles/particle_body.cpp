@@ -34,6 +34,14 @@ void ParticleBody<dim>::set_load(const Eigen::Ref<const Field>& first, const Eig
 }
 
 template <int dim>
+Field ParticleBody<dim>::acceleration_by(const Eigen::Ref<const Field>& load) const {
+  Field a(dim, particles());
+  for (Eigen::Index p = 0; p < particles(); ++p)
+    for (int k = 0; k < dim; ++k) a(k, p) = free_[k][grid_.slot(p)] * load(k, p) / mass_;
+  return a;
+}
+
+template <int dim>
 LaneVec<dim> ParticleBody<dim>::difference(const std::array<Slots, dim>& values, Eigen::Index i,
                                            Eigen::Index j) {
   LaneVec<dim> by_axis;

@@ -43,6 +43,12 @@ class ParticleBody {
   /// By internal forces alone [m/s2]; of held particles too, as if they were free.
   virtual Field acceleration() const = 0;
 
+  /// By loads on the particles [N] alone [m/s2]; none of held particles.
+  Field acceleration_by(const Eigen::Ref<const Field>& load) const;
+
+  /// See SolidModel::force_instant.
+  virtual double force_instant() const = 0;
+
   Field displacement() const { return gather(displacement_); }      ///< [m] dimension x particles
   Field velocity() const { return gather(velocity_); }              ///< [m/s]
   Field ramp_increment() const { return gather(ramp_increment_); }  ///< [m] of the last advance (S15)

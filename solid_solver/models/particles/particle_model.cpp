@@ -108,6 +108,16 @@ Field ParticleModel<dim>::of_bodies(Field (ParticleBody<dim>::*part)() const) co
 }
 
 template <int dim>
+Field ParticleModel<dim>::acceleration_by(const Field& load) const {
+  Field all(dim, nodes());
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const Eigen::Index count = bodies_[b]->particles();
+    all.middleCols(first_[b], count) = bodies_[b]->acceleration_by(load.middleCols(first_[b], count));
+  }
+  return all;
+}
+
+template <int dim>
 double ParticleModel<dim>::max_speed() const {
   double fastest = 0;
   for (const auto& body : bodies_) fastest = std::max(fastest, body->velocity().colwise().norm().maxCoeff());

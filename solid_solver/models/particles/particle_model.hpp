@@ -41,6 +41,8 @@ class ParticleModel : public SolidModel {
   Field displacement() const override { return of_bodies(&ParticleBody<dim>::displacement); }
   Field velocity() const override { return of_bodies(&ParticleBody<dim>::velocity); }
   Field ramp_increment() const override { return of_bodies(&ParticleBody<dim>::ramp_increment); }
+  Field acceleration_by(const Field& load) const override;
+  double force_instant() const override { return bodies_.front()->force_instant(); }
   double max_speed() const override;
   Energies energies() const override;
   std::string save() const override;

@@ -19,6 +19,7 @@ class RigidModel : public SolidModel {
   Field displacement() const override { return Field::Zero(dim, bodies_); }
   Field velocity() const override { return Field::Zero(dim, bodies_); }
   Field ramp_increment() const override { return Field::Zero(dim, bodies_); }
+  Field acceleration_by(const Field& load) const override { return Field::Zero(dim, load.cols()); }
   double max_speed() const override { return 0; }
   Energies energies() const override { return {}; }
 

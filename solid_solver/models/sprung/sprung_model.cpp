@@ -73,6 +73,18 @@ std::vector<NodalMode> SprungModel<dim>::modes(int count) const {
 }
 
 template <int dim>
+Field SprungModel<dim>::acceleration_by(const Field& load) const {
+  Field all = Field::Zero(dim, nodes());
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const auto own = static_cast<Eigen::Index>(b) * per_body;
+    for (const NodalMode& mode : bodies_[b].modes())
+      all.middleCols(own, per_body) +=
+          mode.shape.cwiseProduct(load.middleCols(own, per_body)).sum() / mode.mass * mode.shape;
+  }
+  return all;
+}
+
+template <int dim>
 double SprungModel<dim>::max_speed() const {
   double fastest = 0;
   for (const auto& body : bodies_) fastest = std::max(fastest, body.max_speed());

@@ -23,6 +23,7 @@ class SprungModel : public SolidModel {
   Field displacement() const override { return of_bodies(&SprungBody<dim>::displacement); }
   Field velocity() const override { return of_bodies(&SprungBody<dim>::velocity); }
   Field ramp_increment() const override { return of_bodies(&SprungBody<dim>::ramp_increment); }
+  Field acceleration_by(const Field& load) const override;
   double max_speed() const override;
   Energies energies() const override;
 

@@ -144,6 +144,12 @@ TEST(Setup, MayLeaveTheWindowOpenButNotUndefined) {
   EXPECT_THAT([&] { decode(message); }, ThrowsMessage<Error>(HasSubstr("the largest window is nan s")));
 }
 
+TEST(Report, CarriesNotes) {
+  v1::Advanced message;
+  encode(Report{.values = {1}, .window = 1, .notes = {"one", "two"}}, message);
+  EXPECT_EQ(decode(message, 1).notes, (std::vector<std::string>{"one", "two"}));
+}
+
 TEST(Report, HasOneFiniteValueAColumn) {
   v1::Advanced message;
   encode(Report{.values = {1, nan}, .window = 1}, message);

@@ -1,9 +1,9 @@
-#include "fluid_solver/motion.hpp"
+#include "common/motion.hpp"
 
 #include <algorithm>
 #include <numbers>
 
-namespace cosurge::fluid {
+namespace cosurge {
 
 using std::numbers::pi;
 
@@ -136,4 +136,4 @@ Box<dim> Motion<dim>::sweep(const Box<dim>& box) const {
 template class Motion<2>;
 template class Motion<3>;
 
-}  // namespace cosurge::fluid
+}  // namespace cosurge

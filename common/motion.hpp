@@ -3,7 +3,7 @@
 
 #include "common/lattice.hpp"
 
-namespace cosurge::fluid {
+namespace cosurge {
 
 /// Displacement and rotation as functions of time, both zero at t = 0: by a formula, amplitude x (s(t) -
 /// s(0)) with s = ramp(t) sin(2 pi f t + phase) and a half cosine as the ramp, or by a table. Between its
@@ -47,4 +47,4 @@ class Motion {
   std::vector<Pose> slope_;  // at the rows
 };
 
-}  // namespace cosurge::fluid
+}  // namespace cosurge

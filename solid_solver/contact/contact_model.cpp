@@ -1,0 +1,241 @@
+#include "solid_solver/contact/contact_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/error.hpp"
+#include "common/state_bytes.hpp"
+#include "solid_solver/contact/vertex_motion.hpp"
+
+namespace cosurge::contact {
+namespace {
+
+// omega dt of the fastest motion that springs of contact cause: 12 sub-steps a swing, explicit ones are
+// stable up to 2.
+constexpr double resolved = 0.5;
+// A sub-step of explicit models beside springs: with the whole stable step, 2^2 0.9^2 + 0.5^2 < 2^2.
+constexpr double beside_springs = 0.9;
+constexpr double fall = 0.03;          // of a spacing, in a sub-step at the speed of a fall through the scene
+constexpr double windows_share = 0.1;  // of the longest window
+constexpr double foresight = 3;        // times the way of the last velocity: what a window may bring
+constexpr double rounding = 1e-9;      // of the reach: less is no contact
+constexpr double deepest = 0.5;        // of the reach, before the bodies' facets are lost
+constexpr double whole = 1e-6;         // of a sub-step: a window of 20.0000001 sub-steps is one of 20
+
+/// Through the height of the tank, or of all bodies where there is none [m/s].
+template <int dim>
+double fall_speed(const v1::Case& the_case, const Field& vertices) {
+  double height = (vertices.rowwise().maxCoeff() - vertices.rowwise().minCoeff()).maxCoeff();
+  if (the_case.fluid().has_tank())
+    height = the_case.fluid().tank().max(dim - 1) - the_case.fluid().tank().min(dim - 1);
+  const Eigen::Map<const Eigen::VectorXd> gravity(the_case.gravity().data(), the_case.gravity_size());
+  return std::sqrt(2 * gravity.norm() * height);
+}
+
+}  // namespace
+
+template <int dim>
+ContactModel<dim>::ContactModel(std::unique_ptr<SolidModel> model, const v1::Case& the_case, double spacing)
+    : model_(std::move(model)), neighborhood_(the_case, spacing) {
+  H_ = vertex_interpolation(*model_, the_case.solid(), neighborhood_.vertices(), neighborhood_.body(),
+                            spacing);
+  neighborhood_.hold(empty_rows(H_));
+  step_ = windows_share * the_case.time().window();
+  if (const double speed = fall_speed<dim>(the_case, neighborhood_.vertices()); speed > 0)
+    step_ = std::min(step_, fall * spacing / speed);
+  if (model_->substep() > 0) step_ = std::min(step_, beside_springs * model_->substep());
+  ramp_increment_ = Field::Zero(dim, model_->nodes());
+}
+
+template <int dim>
+bool ContactModel<dim>::may_touch(const Window& window) const {
+  const Touches near = neighborhood_.within_reach(positions(), window.start);
+  if (near.empty()) return false;
+  const Field v = velocities();
+  return std::any_of(near.begin(), near.end(), [&](const Touch<dim>& touch) {
+    const double approach = std::max(0.0, -rate(touch, v));
+    return touch.gap < foresight * approach * window.size - rounding * neighborhood_.reach();
+  });
+}
+
+template <int dim>
+int ContactModel<dim>::advance(const Window& window, const NodalLoad& load) {
+  load_.setZero();
+  touching_ = may_touch(window);
+  if (!touching_) {
+    energy_ = pressed_ = 0;
+    return model_->advance(window, load);
+  }
+  if (stiffness_.empty()) find_stiffness();
+  ramp_increment_.setZero();
+  const int steps = std::max(1, static_cast<int>(std::ceil(window.size / step_ - whole)));
+  const double dt = window.size / steps;
+  int taken = 0;
+  for (int k = 0; k < steps; ++k) {
+    const Window part{.index = window.index, .start = window.start + k * dt, .size = dt};
+    taken += step(part, load, static_cast<double>(k) / steps, 1.0 / steps);
+  }
+  const Touches touches = pressed(positions(), window.start + window.size);
+  pressed_ = static_cast<double>(touches.size());
+  energy_ = 0;
+  for (const Touch<dim>& touch : touches) energy_ += 0.5 * stiffness(touch) * touch.gap * touch.gap;
+  return taken;
+}
+
+/// A sub-step from `before`, `share` of the window. The forces are those at the instant of the sub-step where
+/// they change no energy of a spring (S45).
+template <int dim>
+int ContactModel<dim>::step(const Window& part, const NodalLoad& load, double before, double share) {
+  const double instant = model_->force_instant(), ahead = instant * part.size;
+  const Field nodal_v = model_->velocity(), v = nodal_v * H_.transpose();
+  const Touches touches = pressed(positions() + ahead * v, part.start + ahead);
+  note(touches, v, part.start);
+  check_depth(touches, part.start);
+  const Field force = forces(touches) * H_;
+  load_ += share * from_outside(touches);
+  const auto at = [&](double s) { return Field(load.first + s * (load.last - load.first) + force); };
+  const Field start = model_->displacement();
+  const int taken = model_->advance(part, {.first = at(before), .last = at(before + share)});
+  const Field moved = model_->displacement() - start;
+  // The force acts at its instant: half on the way that led there, half on the way from there.
+  const Field way = moved + (0.5 - instant) * (part.size * nodal_v - moved);
+  work_ += force.cwiseProduct(way).sum();
+  ramp_increment_ += before * moved + share * model_->ramp_increment();
+  return taken;
+}
+
+template <int dim>
+typename ContactModel<dim>::Touches ContactModel<dim>::pressed(const Field& x, double t) const {
+  Touches touches = neighborhood_.within_reach(x, t);
+  std::erase_if(touches,
+                [&](const Touch<dim>& touch) { return touch.gap >= -rounding * neighborhood_.reach(); });
+  return touches;
+}
+
+template <int dim>
+void ContactModel<dim>::find_stiffness() {
+  stiffness_ = fastest_per_stiffness(*model_, H_, neighborhood_.area(), neighborhood_.body(),
+                                     neighborhood_.bodies(), dim);
+  for (double& s : stiffness_) s = s > 0 ? resolved * resolved / (step_ * step_ * s) : 0;
+}
+
+template <int dim>
+double ContactModel<dim>::stiffness(const Touch<dim>& touch) const {
+  double softer = stiffness_[touch.body];
+  if (const int other = neighborhood_.body_of(touch.other); other >= 0)
+    softer = std::min(softer, stiffness_[other]);
+  return softer * touch.share * touch.area;
+}
+
+template <int dim>
+Field ContactModel<dim>::forces(const Touches& touches) const {
+  Field sum = Field::Zero(dim, H_.rows());
+  for (const Touch<dim>& touch : touches)
+    for (std::size_t k = 0; k < touch.vertex.size(); ++k)
+      if (touch.vertex[k] >= 0)
+        sum.col(touch.vertex[k]) -= stiffness(touch) * touch.gap * touch.weight[k] * touch.normal;
+  return sum;
+}
+
+template <int dim>
+Vec<dim> ContactModel<dim>::from_outside(const Touches& touches) const {
+  Vec<dim> sum = Vec<dim>::Zero();
+  for (const Touch<dim>& touch : touches) {
+    if (neighborhood_.body_of(touch.other) >= 0) continue;
+    double weight = 0;
+    for (std::size_t k = 0; k < touch.vertex.size(); ++k)
+      if (touch.vertex[k] >= 0) weight += touch.weight[k];
+    sum -= stiffness(touch) * touch.gap * weight * touch.normal;
+  }
+  return sum;
+}
+
+template <int dim>
+void ContactModel<dim>::note(const Touches& touches, const Field& v, double t) {
+  for (const Touch<dim>& touch : touches) {
+    const std::array<int, 2> pair = {touch.body, touch.other};
+    if (std::find(met_.begin(), met_.end(), pair) != met_.end()) continue;
+    met_.push_back(pair);
+    notes_.push_back(fmt::format("t = {:.6g} s: solid.body.{} touches {}, near ({:.4g}) m, at {:.3g} m/s", t,
+                                 touch.body, neighborhood_.name(touch.other),
+                                 fmt::join(touch.place.begin(), touch.place.end(), ", "),
+                                 std::max(0.0, -rate(touch, v))));
+  }
+}
+
+template <int dim>
+void ContactModel<dim>::check_depth(const Touches& touches, double t) const {
+  const double most = deepest * neighborhood_.reach();
+  for (const Touch<dim>& touch : touches)
+    if (-touch.gap > most)
+      throw NumericalError(fmt::format(
+          "solid: solid.body.{} is pressed {:.3g} m into {} at t = {:.6g} s, near ({:.4g}) m; the springs of "
+          "contact hold up to {:.3g} m. Its load or its speed is too large for them: a shorter time.window "
+          "makes them stiffer",
+          touch.body, -touch.gap, neighborhood_.name(touch.other), t,
+          fmt::join(touch.place.begin(), touch.place.end(), ", "), most));
+}
+
+template <int dim>
+std::vector<Column> ContactModel<dim>::columns() const {
+  std::vector<Column> columns = model_->columns();
+  columns.insert(columns.end(), {{"contact_energy", "J"}, {"contact_work", "J"}, {"contact_points", "-"}});
+  for (int k = 0; k < dim; ++k) columns.push_back({std::string("contact_load_") + "xyz"[k], "N"});
+  return columns;
+}
+
+template <int dim>
+std::vector<double> ContactModel<dim>::values() const {
+  std::vector<double> values = model_->values();
+  values.insert(values.end(), {energy_, work_, pressed_});
+  values.insert(values.end(), load_.begin(), load_.end());
+  return values;
+}
+
+template <int dim>
+std::vector<std::string> ContactModel<dim>::take_notes() {
+  std::vector<std::string> notes = model_->take_notes();
+  notes.insert(notes.end(), notes_.begin(), notes_.end());
+  notes_.clear();
+  return notes;
+}
+
+template <int dim>
+std::string ContactModel<dim>::save() const {
+  StateWriter state;
+  state.put(model_->save());
+  state.put(met_);
+  for (const double value : {energy_, work_, pressed_}) state.put(value);
+  state.put(load_);
+  state.put(touching_);
+  state.put(ramp_increment_);
+  return state.take();
+}
+
+template <int dim>
+void ContactModel<dim>::restore(const std::string& bytes) {
+  StateReader state(bytes);
+  std::string model;
+  state.get(model);
+  state.get(met_);
+  for (double* value : {&energy_, &work_, &pressed_}) state.get(*value);
+  state.get(load_);
+  state.get(touching_);
+  state.get(ramp_increment_);
+  state.finish();
+  model_->restore(model);
+  notes_.clear();
+}
+
+std::unique_ptr<SolidModel> with_contact(std::unique_ptr<SolidModel> model, const v1::Case& the_case,
+                                         double spacing) {
+  const v1::Solid& solid = the_case.solid();
+  const bool alone =
+      !the_case.fluid().has_tank() && the_case.fluid().obstacle().empty() && solid.body_size() == 1;
+  if (alone || solid.model() == v1::SolidModel::rigid) return model;
+  if (the_case.dimension() == 2)
+    return std::make_unique<ContactModel<2>>(std::move(model), the_case, spacing);
+  return std::make_unique<ContactModel<3>>(std::move(model), the_case, spacing);
+}
+
+}  // namespace cosurge::contact

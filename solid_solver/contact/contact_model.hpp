@@ -1,0 +1,81 @@
+// A solid model whose bodies touch each other, the tank and obstacles.
+#pragma once
+
+#include <memory>
+
+#include "solid_solver/contact/neighborhood.hpp"
+#include "solid_solver/solid_model.hpp"
+
+namespace cosurge::contact {
+
+/// Any model, with frictionless contact around it (docs/method_solid.md, section 12). Vertices of the bodies'
+/// boundaries that are beyond a facet or a wall are pressed back by springs on their area, with energies k
+/// g^2 / 2. While anything touches or may do so in the window, the window is gone through in sub-steps; the
+/// springs' forces are held in each. Where nothing is near, the model goes through the window as it would
+/// alone, to the same bits.
+template <int dim>
+class ContactModel : public SolidModel {
+ public:
+  ContactModel(std::unique_ptr<SolidModel> model, const v1::Case& the_case, double spacing);
+
+  Eigen::Index nodes() const override { return model_->nodes(); }
+  std::uint64_t particles() const override { return model_->particles(); }
+  Interpolation interpolation(const Field& position, const std::vector<int>& body) const override {
+    return model_->interpolation(position, body);
+  }
+  double substep() const override { return model_->substep(); }
+  int advance(const Window& window, const NodalLoad& load) override;
+  Field displacement() const override { return model_->displacement(); }
+  Field velocity() const override { return model_->velocity(); }
+  Field acceleration_by(const Field& load) const override { return model_->acceleration_by(load); }
+  Field ramp_increment() const override { return touching_ ? ramp_increment_ : model_->ramp_increment(); }
+  double max_speed() const override { return model_->max_speed(); }
+  Energies energies() const override { return model_->energies(); }
+  std::vector<NodalMode> modes(int count) const override { return model_->modes(count); }
+
+  /// The springs' energy, their work on the bodies so far, the mean of what tank and obstacles press with in
+  /// the window, and the vertices that are pressed at its end.
+  std::vector<Column> columns() const override;
+  std::vector<double> values() const override;
+  std::vector<std::string> take_notes() override;
+
+  std::string save() const override;
+  void restore(const std::string& state) override;
+  Snapshot frame() const override { return model_->frame(); }
+
+ private:
+  using Touches = std::vector<Touch<dim>>;
+
+  Field positions() const { return neighborhood_.vertices() + model_->displacement() * H_.transpose(); }
+  Field velocities() const { return model_->velocity() * H_.transpose(); }
+  bool may_touch(const Window& window) const;
+  double stiffness(const Touch<dim>& touch) const;
+  void find_stiffness();
+  Touches pressed(const Field& x, double t) const;
+  Field forces(const Touches& touches) const;
+  Vec<dim> from_outside(const Touches& touches) const;
+  void note(const Touches& touches, const Field& v, double t);
+  void check_depth(const Touches& touches, double t) const;
+  int step(const Window& part, const NodalLoad& load, double before, double share);
+
+  std::unique_ptr<SolidModel> model_;
+  Neighborhood<dim> neighborhood_;
+  Interpolation H_;                // of the boundaries' vertices
+  double step_;                    // longest while bodies touch [s]
+  std::vector<double> stiffness_;  // of each body, over the area [N/m^dim]; empty: not yet found
+
+  bool touching_ = false;                // whether the last window went through in sub-steps
+  Field ramp_increment_;                 // of such a window
+  double energy_ = 0;                    // [J]
+  double work_ = 0;                      // [J]
+  double pressed_ = 0;                   // vertices
+  Vec<dim> load_ = Vec<dim>::Zero();     // [N]
+  std::vector<std::array<int, 2>> met_;  // body and what it has touched so far
+  std::vector<std::string> notes_;
+};
+
+/// The model with contact, or as it is where its bodies cannot move or there is nothing to touch.
+std::unique_ptr<SolidModel> with_contact(std::unique_ptr<SolidModel> model, const v1::Case& the_case,
+                                         double spacing);
+
+}  // namespace cosurge::contact

@@ -1,0 +1,99 @@
+// What bodies can touch, and where they are near it.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "solid_solver/contact/obstacle_boundary.hpp"
+#include "solid_solver/contact/tank_walls.hpp"
+#include "solid_solver/contact/touch.hpp"
+
+namespace cosurge::contact {
+
+/// Floor and walls of the tank, obstacles, moving ones too, and the bodies themselves. Vertices of a body
+/// meet walls and the facets of others; vertices of obstacles and of other bodies meet its facets, so that no
+/// side's corners are missed. What overlaps where it is drawn counts from there.
+template <int dim>
+class Neighborhood {
+ public:
+  using Touches = std::vector<Touch<dim>>;
+
+  /// @param spacing longest edge of facets [m]
+  Neighborhood(const v1::Case& the_case, double spacing);
+
+  int bodies() const { return static_cast<int>(boundaries_.size()); }
+  /// Of all bodies, body after body, undeformed [m].
+  const Field& vertices() const { return reference_; }
+  const std::vector<int>& body() const { return body_; }     ///< of each vertex
+  const std::vector<double>& area() const { return area_; }  ///< that each vertex stands for [m^(dim-1)]
+
+  /// Which vertices their bodies hold: they press on nothing. None, unless it is called.
+  void hold(std::vector<char> held) { held_ = std::move(held); }
+
+  /// What is farther from each other does not touch [m]: also the largest depth at which contact is found.
+  double reach() const { return reach_; }
+
+  /// All places with a gap below the reach, in an order that only the positions tell.
+  /// @param x of the vertices at time t [m]
+  Touches within_reach(const Field& x, double t) const;
+
+  /// "the floor of the tank", "fluid.obstacle.0", "solid.body.1"
+  std::string name(int other) const;
+
+  /// The body that `other` is, or -1.
+  int body_of(int other) const { return other < first_body() ? -1 : other - first_body(); }
+
+ private:
+  /// Vertices that press, where the facets are that they press on.
+  struct Pressing {
+    int body;  // -1: of an obstacle
+    const Boundary<dim>& boundary;
+    Field x;
+  };
+  /// Facets that are pressed on.
+  struct Pressed {
+    int body;  // -1: of an obstacle
+    const Boundary<dim>& boundary;
+    const FacetSearch<dim>& search;
+    const std::vector<double>& rest_gap;  // of the pressing vertices
+  };
+
+  int walls() const { return tank_.empty() ? 0 : TankWalls<dim>::count; }
+  int first_body() const { return walls() + static_cast<int>(obstacles_.size()); }
+  Field of_body(const Field& all, int b) const;
+  Box<dim> widened(const Box<dim>& box) const;
+  const std::vector<double>& rest_gaps(int pressing, int pressed) const;
+  std::vector<double> find_rest_gaps(const Boundary<dim>& pressing, const Boundary<dim>& pressed,
+                                     const Shape<dim>& shape) const;
+
+  void add_walls(const Field& x, double t, Touches& touches) const;
+  void add_obstacle(int o, int b, const Field& x, double t, Touches& touches) const;
+  void add_bodies(int a, int b, const Field& x, Touches& touches) const;
+  void press(const Pressing& pressing, const Pressed& pressed, const Box<dim>& region,
+             Touches& touches) const;
+  bool all_held(const Touch<dim>& touch) const;
+
+  double spacing_, reach_;
+  std::vector<TankWalls<dim>> tank_;  // none without water
+  std::vector<ObstacleBoundary<dim>> obstacles_;
+  std::vector<Shape<dim>> shapes_;  // of the bodies
+  std::vector<Boundary<dim>> boundaries_;
+  std::vector<Eigen::Index> first_;  // vertex of each body, and their number
+  Field reference_;
+  std::vector<int> body_;
+  std::vector<double> area_;
+  std::vector<char> held_;
+  mutable std::map<std::pair<int, int>, std::vector<double>> rest_gaps_;  // by name: pressing, pressed
+};
+
+/// d gap / dt [m/s] where the vertices move with v, dimension x vertices.
+template <int dim>
+double rate(const Touch<dim>& touch, const Field& v) {
+  double sum = touch.prescribed_rate;
+  for (std::size_t k = 0; k < touch.vertex.size(); ++k)
+    if (touch.vertex[k] >= 0) sum += touch.weight[k] * touch.normal.dot(v.col(touch.vertex[k]));
+  return sum;
+}
+
+}  // namespace cosurge::contact

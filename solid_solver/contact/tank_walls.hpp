@@ -1,0 +1,48 @@
+// Floor and side walls of the tank, as bodies touch them.
+#pragma once
+
+#include <string>
+
+#include "common/error.hpp"
+#include "common/motion.hpp"
+
+namespace cosurge::contact {
+
+/// Planes that move with the tank. Side walls end at its open top; what has come over it is beyond them.
+template <int dim>
+class TankWalls {
+ public:
+  static constexpr int count = 2 * dim - 1;  ///< the floor first, then both sides of each other axis
+
+  explicit TankWalls(const v1::Fluid& fluid) : tank_(fluid.tank()), motion_(fluid.tank_motion()) {}
+
+  /// Of the tank, from where the planes were at the start.
+  const Motion<dim>& motion() const { return motion_; }
+
+  /// Distance of a point from the wall, negative beyond it, where both are taken back to where the tank was
+  /// at the start [m].
+  double gap(int wall, const Vec<dim>& x) const {
+    const int k = axis(wall);
+    if (wall > 0 && x[dim - 1] > tank_.max[dim - 1]) return tank_.max[k] - tank_.min[k];
+    return upper(wall) ? tank_.max[k] - x[k] : x[k] - tank_.min[k];
+  }
+
+  /// Into the tank, at the start.
+  Vec<dim> normal(int wall) const { return (upper(wall) ? -1 : 1) * Vec<dim>::Unit(axis(wall)); }
+
+  std::string name(int wall) const {
+    if (wall == 0) return "the floor of the tank";
+    const int k = axis(wall);
+    return fmt::format("the wall of the tank at {} = {:.6g} m", "xyz"[k],
+                       upper(wall) ? tank_.max[k] : tank_.min[k]);
+  }
+
+ private:
+  static int axis(int wall) { return wall == 0 ? dim - 1 : (wall - 1) / 2; }
+  static bool upper(int wall) { return wall > 0 && wall % 2 == 0; }
+
+  Box<dim> tank_;
+  Motion<dim> motion_;
+};
+
+}  // namespace cosurge::contact

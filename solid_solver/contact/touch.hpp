@@ -1,0 +1,28 @@
+// A place where a body is near something, or presses on it.
+#pragma once
+
+#include <array>
+
+#include "common/vec.hpp"
+
+namespace cosurge::contact {
+
+/// A vertex of one boundary beside a facet of another, or beside a wall. The distance between them depends on
+/// the body vertices of both: d gap / d x_j = weight_j normal. What moves as prescribed adds to its rate.
+template <int dim>
+struct Touch {
+  static constexpr int most = dim + 1;
+
+  int body;                      ///< the first body of the two, or the only one
+  int other;                     ///< what it touches, see Neighborhood::name
+  double gap;                    ///< less what it was at the start where that is negative [m]
+  Vec<dim> normal;               ///< of unit length
+  Vec<dim> place;                ///< of the vertex [m]
+  double area;                   ///< that the vertex stands for [m^(dim-1)]
+  double share;                  ///< of the stiffness of an area: both sides of a contact have a part
+  double prescribed_rate;        ///< d gap / dt by what moves as prescribed [m/s]
+  std::array<int, most> vertex;  ///< of the bodies, -1: none
+  std::array<double, most> weight;
+};
+
+}  // namespace cosurge::contact
