@@ -44,30 +44,29 @@ Eigen::VectorXd consistent_accelerations(const ModalLoad& load) {
   return c;
 }
 
-/// Of the pressure of a unit acceleration of the mode: only particles that see the body have a source.
+/// Of the pressure of an acceleration of the bodies by `shape`, a vector for each point.
 template <int dim>
 std::vector<double> AddedMass<dim>::right_hand_side(const Step& step, const Field& shape) const {
   Particles<dim>& particles = step.particles;
-  std::vector<int> near;
-  for (const std::int32_t place : step.body_place) {
-    near.push_back(place);
-    if (!has_pressure(particles.kind[place])) continue;  // a wet point is nearer to whoever sees it
-    step.neighbors.each(particles, place, [&](int j, const Vec<dim>&, double) { near.push_back(j); });
-  }
-  std::sort(near.begin(), near.end());
-  near.erase(std::unique(near.begin(), near.end()), near.end());
-
   std::vector<Vec<dim>> velocity(particles.u.size(), Vec<dim>::Zero());
   for (std::size_t k = 0; k < step.body_place.size(); ++k)
-    velocity[static_cast<std::size_t>(step.body_place[k])] = shape.col(static_cast<Eigen::Index>(k));
+    velocity[static_cast<std::size_t>(step.body_place[k])] = shape.col(step.seen[k]);
+  for (const Cover& cover : step.covers) velocity[cover.wall] = velocity[cover.by];
+  particles.u.swap(velocity);
+  std::vector<double> divergence;
+  const std::vector<std::int32_t>& unknowns = step.poisson.unknowns();
+  if (step.poisson.has_open_surface())
+    divergence = step.poisson.divergence_by_bodies(particles, step.neighbors.grid());
+  else
+    for (const std::int32_t i : unknowns)
+      divergence.push_back(
+          near_divergence<dim>(particles, step.neighbors, i, step.reference.n0, Vec<dim>::Zero()));
   particles.u.swap(velocity);
   std::vector<double> source(particles.u.size(), 0.0);
-  for (const int i : near)
-    if (has_pressure(particles.kind[i]) && particles.free_surface[i] == 0)
-      source[static_cast<std::size_t>(i)] =
-          step.source_per_divergence * step.dt *
-          divergence<dim>(particles, step.neighbors, i, step.reference, Vec<dim>::Zero());
-  particles.u.swap(velocity);
+  for (std::size_t m = 0; m < unknowns.size(); ++m) {
+    const auto i = static_cast<std::size_t>(unknowns[m]);
+    source[i] = step.source_per_divergence[i] * step.dt * divergence[m];
+  }
   return step.poisson.rows_of(source);
 }
 
@@ -163,7 +162,7 @@ template <int dim>
 void AddedMass<dim>::couple(const Step& step, std::vector<double>& pressure) {
   ratio_ = 0;
   iterations_ = 0;
-  if (modes_.empty() || step.source_per_divergence == 0 || pressure.empty()) return;
+  if (modes_.empty() || step.source_per_divergence.empty() || pressure.empty()) return;
   const auto ids =
       static_cast<std::size_t>(1 + *std::max_element(step.particles.id.begin(), step.particles.id.end()));
   last_.resize(modes_.size());

@@ -37,6 +37,13 @@ class Bodies {
   const Vec<dim>& position(int k) const { return position_[static_cast<std::size_t>(k)]; }
   bool wet(int k) const { return !area_[static_cast<std::size_t>(k)].isZero(); }
 
+  /// The point whose velocity the water sees in point k: the nearest wet one. So a body that is compressed
+  /// inside compresses no water.
+  int face_point(int k) const {
+    const int nearest = nearest_wet_[static_cast<std::size_t>(k)];
+    return nearest >= 0 ? nearest : k;
+  }
+
   /// The surface that `displacement` (dimension x points [m]) has deformed.
   Faces<dim> deformed(const Field& displacement) const;
 

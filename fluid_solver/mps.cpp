@@ -6,7 +6,7 @@
 
 #include "common/error.hpp"
 #include "common/ordered_sum.hpp"
-#include "fluid_solver/buried_walls.hpp"
+#include "fluid_solver/covered_walls.hpp"
 #include "fluid_solver/operators.hpp"
 #include "fluid_solver/surface_damping.hpp"
 
@@ -56,7 +56,7 @@ Mps<dim>::Mps(const v1::Fluid& fluid, const v1::Solid* solid, const Vec<dim>& gr
     : parameters_(fluid),
       gravity_(gravity),
       reference_(reference_values<dim>(fluid.re_gradient() * fluid.spacing(), fluid.spacing())),
-      walls_(fluid, dummy_layers(fluid)),
+      walls_(fluid, dummy_layers(fluid), open_surface()),
       neighbors_(walls_.domain(), fluid.re_gradient() * fluid.spacing()),
       poisson_(poisson_parameters<dim>(fluid, gravity)),
       preconditioner_(make_preconditioner(fluid.pressure())) {
@@ -67,12 +67,10 @@ Mps<dim>::Mps(const v1::Fluid& fluid, const v1::Solid* solid, const Vec<dim>& gr
   propagation_speed_ = fluid.has_propagation_speed() ? fluid.propagation_speed()
                                                      : shallow_speed(particles_.x, gravity, fluid.spacing());
   walls_.add_to(particles_);
-  if (!open_surface()) std::fill(particles_.normal.begin(), particles_.normal.end(), Vec<dim>::Zero());
   first_body_id_ = particles_.size();
   const Box<dim> tank(fluid.tank());
-  if (!sites.empty())
-    bury_walls(particles_, tank, sites, fluid.re_gradient() * fluid.spacing(), fluid.spacing());
   if (solid != nullptr) bodies_ = Bodies<dim>(*solid, tank, fluid.spacing());
+  for (int k = 0; k < bodies_.points(); ++k) seen_.push_back(open_surface() ? bodies_.face_point(k) : k);
   for (int k = 0; k < bodies_.points(); ++k)
     particles_.add(bodies_.wet(k) ? Kind::body_surface : Kind::body_inner, bodies_.position(k));
   initial_size_ = particles_.size();
@@ -171,9 +169,10 @@ template <int dim>
 void Mps<dim>::set_body_velocity(const Field& velocity) {
   max_body_speed_ = 0;
   for (int k = 0; k < bodies_.points(); ++k) {
-    particles_.u[body_place_[k]] = velocity.col(k);
+    particles_.u[body_place_[k]] = velocity.col(seen_[k]);
     max_body_speed_ = std::max(max_body_speed_, velocity.col(k).norm());
   }
+  follow_covers(particles_, covers_);
 }
 
 template <int dim>
@@ -230,6 +229,9 @@ void Mps<dim>::search_neighbors(double time) {
       particles_.x[i] = nowhere_;
   neighbors_.rebuild(particles_);
   locate_bodies();
+  covers_ = cover_walls(particles_, neighbors_, walls_, parameters_.spacing());
+  if (!open_surface()) covers_.clear();  // eq. (10) has walls at rest there
+  follow_covers(particles_, covers_);
 }
 
 template <int dim>
@@ -285,6 +287,7 @@ void Mps<dim>::assemble(double dt) {
   const auto& unknowns = poisson_.unknowns();
   pressure_.resize(unknowns.size());
   for (std::size_t k = 0; k < unknowns.size(); ++k) pressure_[k] = particles_.p[unknowns[k]];  // warm start
+  set_source_per_divergence(dt);
   clock_.enter(solving);
   if (!unknowns.empty()) preconditioner_->set_up(poisson_.matrix(), poisson_.cells());
 }
@@ -310,12 +313,14 @@ SolveReport Mps<dim>::solve_pressure(double start, double dt, std::uint32_t atte
   added_mass_.couple({.particles = particles_,
                       .neighbors = neighbors_,
                       .reference = reference_,
+                      .seen = seen_,
+                      .covers = covers_,
                       .body_place = body_place_,
                       .body_areas = faces_.area,
                       .face_load = face_load_,
                       .poisson = poisson_,
                       .preconditioner = *preconditioner_,
-                      .source_per_divergence = source_per_divergence(dt),
+                      .source_per_divergence = source_per_divergence_,
                       .dt = dt,
                       .attempt = attempt,
                       .tolerance = tolerance,

@@ -7,6 +7,7 @@
 #include "common/phase_clock.hpp"
 #include "fluid_solver/added_mass.hpp"
 #include "fluid_solver/bodies.hpp"
+#include "fluid_solver/covered_walls.hpp"
 #include "fluid_solver/collision.hpp"
 #include "fluid_solver/density.hpp"
 #include "fluid_solver/pressure/poisson_equation.hpp"
@@ -88,7 +89,7 @@ class Mps {
   double unbiased_deviation(int i, double smooth) const;
   Rates rates(double dt) const;
   double response_time(double dt) const;
-  double source_per_divergence(double dt) const;
+  void set_source_per_divergence(double dt);
   void take_pressure();
   void set_face_load();
   SolveReport solve_pressure(double start, double dt, std::uint32_t attempt);
@@ -120,10 +121,13 @@ class Mps {
   Faces<dim> faces_;                      // of the bodies, deformed, by point
   std::vector<Vec<dim>> face_load_;       // beyond -P A on the bodies' points [N]
   std::vector<std::int32_t> body_place_;  // of each body point among the particles
+  std::vector<int> seen_;                 // the point whose velocity the water sees in each body point
+  std::vector<Cover> covers_;             // of walls, by place
   std::vector<Vec<dim>> areas_;           // A by place, for the pressure equation
   std::vector<Vec<dim>> change_;          // of the velocity since the prediction, by place
   std::vector<Vec<dim>> push_;            // of the pressure on the velocity, by place
   std::vector<double> source_;            // of the pressure equation, by place
+  std::vector<double> source_per_divergence_;  // by place [kg/(m3 s)]
   std::vector<double> pressure_;          // of the unknowns
   std::vector<Vec<dim>> predicted_x_;     // of a step that may be repeated, by place
   std::vector<Vec<dim>> predicted_u_;

@@ -8,10 +8,35 @@
 
 namespace cosurge::fluid {
 
+/// What the source changes by with the divergence of the velocity, by the case's choice.
+template <int dim>
+void Mps<dim>::set_source_per_divergence(double dt) {
+  const double rho = parameters_.density();
+  const auto size = static_cast<std::size_t>(particles_.size());
+  switch (parameters_.source()) {
+    case v1::Fluid::deviation:
+      return source_per_divergence_.clear();
+    case v1::Fluid::mixed:
+      return source_per_divergence_.assign(size, (1 - parameters_.gamma()) * rho / dt);
+    case v1::Fluid::time_scale:
+      source_per_divergence_.assign(size, rho * rates(dt).divergence);
+  }
+  constexpr double answers = 2;  // while two particles come nearer to each other by a spacing
+  const double most = 1 / dt;
+  const Vec<dim> kick = dt * gravity_;
+  const auto& unknowns = poisson_.unknowns();
+#pragma omp parallel for schedule(dynamic, Rows::chunk)
+  for (std::size_t m = 0; m < unknowns.size(); ++m) {
+    const std::int32_t i = unknowns[m];
+    const double k = answers * approach_speed(particles_, neighbors_, i, kick) / parameters_.spacing();
+    source_per_divergence_[i] = std::max(source_per_divergence_[i], rho * std::min(k, most));
+  }
+}
+
 /// Right-hand side S of the pressure equation for each particle, by the case's choice.
 template <int dim>
 void Mps<dim>::set_source(double dt) {
-  const Rates k = rates(dt);
+  const double k_n = rates(dt).density;
   const auto source = [&](const SourceInput& in) {
     switch (parameters_.source()) {
       case v1::Fluid::deviation:
@@ -19,25 +44,26 @@ void Mps<dim>::set_source(double dt) {
       case v1::Fluid::mixed:
         return mixed_source(in, parameters_.gamma());
       case v1::Fluid::time_scale:
-        return time_scale_source(in, k);
+        return time_scale_source(in, k_n);
     }
     return 0.0;
   };
   const bool paper = parameters_.source() == v1::Fluid::deviation;
   const Vec<dim> kick = dt * gravity_;
   const auto& unknowns = poisson_.unknowns();
-  std::vector<double> wide;
-  if (!paper) wide = poisson_.divergence(particles_, neighbors_.grid(), kick);
+  std::vector<double> divergence;
+  if (!paper) divergence = poisson_.divergence(particles_, neighbors_.grid(), kick);
   source_.assign(static_cast<std::size_t>(particles_.size()), 0.0);
 #pragma omp parallel for schedule(dynamic, Rows::chunk)
   for (std::size_t m = 0; m < unknowns.size(); ++m) {
     const std::int32_t i = unknowns[m];
-    SourceInput in{.density = parameters_.density(), .dt = dt, .deviation = 0, .divergence = 0};
-    if (paper) {
-      in.deviation = near_deviation(i);
-    } else {
+    SourceInput in{.density = parameters_.density(), .dt = dt, .deviation = near_deviation(i)};
+    if (!paper) {
       in.deviation = unbiased_deviation(i, poisson_.deviation()[m]);
-      in.divergence = std::isnan(wide[m]) ? divergence(particles_, neighbors_, i, reference_, kick) : wide[m];
+      in.divergence = std::isnan(divergence[m])
+                          ? near_divergence(particles_, neighbors_, i, reference_.n0, kick)
+                          : divergence[m];
+      in.per_divergence = source_per_divergence_[i];
     }
     source_[i] = source(in);
   }
@@ -72,12 +98,12 @@ double Mps<dim>::unbiased_deviation(int i, double smooth) const {
   return open_surface() ? std::max(0.0, near_smooth_deviation(i)) : near_deviation(i);
 }
 
-/// Of the source `time_scale`, eq. (6c). Water that falls and runs under gravity answers at its own wave
-/// speed: a spacing takes l0 / c. An obstacle that is driven into water at V asks for an answer while it
-/// moves by a tenth of a spacing.
+/// Rates of the scene for the source `time_scale`, eq. (6c). Water that falls and runs under gravity answers at
+/// its own wave speed: a spacing takes l0 / c. An obstacle that is driven into water at V asks for an answer
+/// while it moves by a twentieth of a spacing.
 template <int dim>
 Rates Mps<dim>::rates(double dt) const {
-  constexpr double answers = 10;  // while an obstacle moves by a spacing
+  constexpr double answers = 20;  // while an obstacle moves by a spacing
   const double c = propagation_speed_ / parameters_.spacing();
   const double driven = walls_.approach() / parameters_.spacing();
   const double k = std::min(std::max(c, answers * driven), 1 / dt);
@@ -91,25 +117,10 @@ double Mps<dim>::response_time(double dt) const {
   return open_surface() ? 1 / rates(dt).density : dt;
 }
 
-/// What the source changes by with the divergence of the velocity.
-template <int dim>
-double Mps<dim>::source_per_divergence(double dt) const {
-  const double rho = parameters_.density();
-  switch (parameters_.source()) {
-    case v1::Fluid::deviation:
-      return 0;
-    case v1::Fluid::mixed:
-      return (1 - parameters_.gamma()) * rho / dt;
-    case v1::Fluid::time_scale:
-      return rho * rates(dt).divergence;
-  }
-  return 0;
-}
-
 template void Mps<2>::set_source(double);
 template void Mps<3>::set_source(double);
-template double Mps<2>::source_per_divergence(double) const;
-template double Mps<3>::source_per_divergence(double) const;
+template void Mps<2>::set_source_per_divergence(double);
+template void Mps<3>::set_source_per_divergence(double);
 template double Mps<2>::response_time(double) const;
 template double Mps<3>::response_time(double) const;
 

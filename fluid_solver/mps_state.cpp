@@ -34,6 +34,7 @@ void Mps<dim>::restore(const std::string& bytes) {
   added_mass_.restore(state);
   state.finish();
   locate_bodies();
+  covers_.clear();  // the next step begins with finding them
 }
 
 template std::string Mps<2>::save() const;

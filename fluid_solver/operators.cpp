@@ -78,40 +78,34 @@ Vec<dim> even_out(const Particles<dim>& particles, const Neighbors<dim>& neighbo
   return -dim / n0 * crowding;
 }
 
-/// Mean velocity of the water around point i of a wall or body, weights w / r^2; zero where there is none.
 template <int dim>
-Vec<dim> mean_velocity_of_water(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i) {
-  Vec<dim> sum = Vec<dim>::Zero();
-  double weights = 0;
-  neighbors.each(particles, i, [&](int j, const Vec<dim>&, double r) {
-    if (particles.kind[j] != Kind::fluid) return;
-    const double w = weight(r, neighbors.re()) / (r * r);
-    sum += w * particles.u[j];
-    weights += w;
-  });
-  return weights > 0 ? Vec<dim>(sum / weights) : sum;
-}
-
-template <int dim>
-double divergence(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i,
-                  const ReferenceValues& reference, const Vec<dim>& kick) {
-  const auto is_water = [&](int k) { return particles.kind[k] == Kind::fluid; };
-  const auto kicked = [&](int k) { return is_water(k) ? 0.0 : 1.0; };
+double near_divergence(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i, double n0,
+                       const Vec<dim>& kick) {
+  const auto kicked = [&](int k) { return particles.kind[k] == Kind::fluid ? 0.0 : 1.0; };
   const bool on_body = of_body(particles.kind[i]);
-  const Vec<dim>& n_i = particles.normal[i];
-  const bool on_face = !n_i.isZero();
-  const Vec<dim> slip = on_face ? mean_velocity_of_water(particles, neighbors, i) : Vec<dim>::Zero();
   double sum = 0;
   neighbors.each(particles, i, [&](int j, const Vec<dim>& x_ij, double r) {
     if (on_body && of_body(particles.kind[j])) return;
-    Vec<dim> u_ij = particles.u[j] - particles.u[i] + (kicked(j) - kicked(i)) * kick;
-    if (is_water(i))
-      u_ij = across_face(u_ij, particles.normal[j]);
-    else if (on_face && is_water(j))
-      u_ij = u_ij.dot(n_i) * n_i + along_face<dim>(particles.u[j] - slip, n_i);
+    const Vec<dim> u_ij = particles.u[j] - particles.u[i] + (kicked(j) - kicked(i)) * kick;
     sum += u_ij.dot(x_ij) * weight(r, neighbors.re()) / (r * r);
   });
-  return dim / reference.n0 * sum;
+  return dim / n0 * sum;
+}
+
+template <int dim>
+double approach_speed(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i,
+                      const Vec<dim>& kick) {
+  const bool water = particles.kind[i] == Kind::fluid;
+  double fastest = 0;
+  neighbors.each(particles, i, [&](int j, const Vec<dim>& x_ij, double r) {
+    const bool water_j = particles.kind[j] == Kind::fluid;
+    if (!water && !water_j) return;
+    Vec<dim> u_ij = particles.u[j] - particles.u[i];
+    if (!water_j) u_ij = across_face<dim>(u_ij + kick, particles.normal[j]);
+    if (!water) u_ij = across_face<dim>(u_ij - kick, particles.normal[i]);
+    fastest = std::max(fastest, -u_ij.dot(x_ij) / r);
+  });
+  return fastest;
 }
 
 template <int dim>
@@ -136,10 +130,10 @@ template Vec<2> repulsion<2>(const Particles<2>&, const Neighbors<2>&, int, doub
 template Vec<3> repulsion<3>(const Particles<3>&, const Neighbors<3>&, int, double);
 template Vec<2> even_out<2>(const Particles<2>&, const Neighbors<2>&, int, double);
 template Vec<3> even_out<3>(const Particles<3>&, const Neighbors<3>&, int, double);
-template double divergence<2>(const Particles<2>&, const Neighbors<2>&, int, const ReferenceValues&,
-                              const Vec<2>&);
-template double divergence<3>(const Particles<3>&, const Neighbors<3>&, int, const ReferenceValues&,
-                              const Vec<3>&);
+template double near_divergence<2>(const Particles<2>&, const Neighbors<2>&, int, double, const Vec<2>&);
+template double near_divergence<3>(const Particles<3>&, const Neighbors<3>&, int, double, const Vec<3>&);
+template double approach_speed<2>(const Particles<2>&, const Neighbors<2>&, int, const Vec<2>&);
+template double approach_speed<3>(const Particles<3>&, const Neighbors<3>&, int, const Vec<3>&);
 template Vec<2> velocity_laplacian<2>(const Particles<2>&, const Neighbors<2>&, int, double, double);
 template Vec<3> velocity_laplacian<3>(const Particles<3>&, const Neighbors<3>&, int, double, double);
 

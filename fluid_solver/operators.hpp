@@ -38,17 +38,20 @@ Vec<dim> repulsion(const Particles<dim>& particles, const Neighbors<dim>& neighb
 template <int dim>
 Vec<dim> even_out(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i, double n0);
 
+/// Largest speed [m/s] at which particle i and a neighbour come nearer to each other, at least 0. Pairs without
+/// water do not count; of a pair with a point of a wall or body, only what is across its face does. `kick`
+/// [m/s] is added to the velocity of walls and bodies.
+template <int dim>
+double approach_speed(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i,
+                      const Vec<dim>& kick);
+
 /// Velocity divergence at particle i, eq. (10): (d / n0) sum of (u_j - u_i) . x_ij / r^2 w over all
 /// neighbours, but for two points of bodies: a structure that is compressed does not compress water, and a
-/// pressure for it would compress it further. Water slides along walls and bodies: between water and a point
-/// with a normal, only what their velocities differ by along that normal counts, and at such a point itself
-/// the water's velocity along the face is taken relative to its mean. `kick` [m/s] is added to the velocity
-/// of walls and bodies: what gravity has given the water in the prediction. The Neumann condition of eq. (11)
-/// takes it back from both; without it the source would count the weight of the water once more. `reference`
-/// belongs to the radius of `neighbors`.
+/// pressure for it would compress it further. `kick` [m/s] is added to the velocity of walls and bodies.
+/// For the source `mixed`, where its free surface or a body is near; `time_scale` has (10b) everywhere.
 template <int dim>
-double divergence(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i,
-                  const ReferenceValues& reference, const Vec<dim>& kick);
+double near_divergence(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i, double n0,
+                       const Vec<dim>& kick);
 
 /// Laplacian of the velocity at particle i, eq. (8): (2 d / (lambda0 n0)) sum of (u_j - u_i) w over all
 /// neighbours.

@@ -14,6 +14,8 @@ ReferenceValues reference_values(double re, double spacing) {
   const int reach_z = dim == 3 ? reach : 0;
   double sum_w = 0;
   double sum_r2w = 0;
+  double sum_x2w = 0;
+  double sum_xw = 0;
   double smooth = 1;
   for (int k = -reach_z; k <= reach_z; ++k) {
     for (int j = -reach; j <= reach; ++j) {
@@ -23,11 +25,13 @@ ReferenceValues reference_values(double re, double spacing) {
         if (r >= re * (1 - edge)) continue;
         sum_w += weight(r, re);
         sum_r2w += r * r * weight(r, re);
+        sum_x2w += i * i * weight(r, re);
+        sum_xw += std::abs(i) * weight(r, re);
         smooth += smooth_share(weight(r, re));
       }
     }
   }
-  return {.n0 = sum_w, .lambda0 = sum_r2w / sum_w, .smooth0 = smooth};
+  return {.n0 = sum_w, .lambda0 = sum_r2w / sum_w, .smooth0 = smooth, .face_factor = sum_x2w / sum_xw};
 }
 
 template ReferenceValues reference_values<2>(double, double);

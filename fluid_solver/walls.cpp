@@ -28,7 +28,7 @@ Vec<dim> normal_at(const Shape<dim>& shape, const Vec<dim>& x, double spacing) {
 }  // namespace
 
 template <int dim>
-Walls<dim>::Walls(const v1::Fluid& fluid, int dummy_layers)
+Walls<dim>::Walls(const v1::Fluid& fluid, int dummy_layers, bool slip)
     : tank_(fluid.tank()),
       spacing_(fluid.spacing()),
       dummy_layers_(dummy_layers),
@@ -40,6 +40,8 @@ Walls<dim>::Walls(const v1::Fluid& fluid, int dummy_layers)
     parts_.push_back(obstacle_part(obstacle, shape));
     obstacles_.push_back(shape);
   }
+  if (slip) return;
+  for (Part& part : parts_) std::fill(part.normal.begin(), part.normal.end(), Vec<dim>::Zero());
 }
 
 /// Whether the tank's walls or an obstacle before have the site, or no water ever comes near it: one place,
@@ -142,24 +144,37 @@ Box<dim> Walls<dim>::domain() const {
 }
 
 template <int dim>
+std::size_t Walls<dim>::part_of(std::int32_t id) const {
+  const auto next = std::upper_bound(parts_.begin(), parts_.end(), id,
+                                     [](std::int32_t wanted, const Part& p) { return wanted < p.first_id; });
+  return static_cast<std::size_t>(next - parts_.begin()) - 1;
+}
+
+template <int dim>
+bool Walls<dim>::moves_in_tank(std::int32_t id) const {
+  const std::size_t part = part_of(id);
+  return part > 0 && parts_[part].motion.moves();
+}
+
+template <int dim>
 void Walls<dim>::move(Particles<dim>& particles, double end, double dt) {
   speed_ = 0;
   approach_ = 0;
-  if (std::none_of(parts_.begin(), parts_.end(), [](const Part& part) { return part.motion.moves(); }))
-    return;
   for (int i = 0; i < particles.size(); ++i) {
     if (particles.kind[i] != Kind::wall && particles.kind[i] != Kind::dummy) continue;
-    const auto of =
-        std::prev(std::upper_bound(parts_.begin(), parts_.end(), particles.id[i],
-                                   [](std::int32_t id, const Part& p) { return id < p.first_id; }));
-    if (!of->motion.moves()) continue;
-    const auto k = static_cast<std::size_t>(particles.id[i] - of->first_id);
-    const Vec<dim>& X = of->place[k];
-    particles.x[i] = of->motion.place(X, end);
-    particles.u[i] = (particles.x[i] - of->motion.place(X, end - dt)) / dt;
-    particles.normal[i] = of->motion.place(X + of->normal[k], end) - particles.x[i];
+    const std::size_t number = part_of(particles.id[i]);
+    const Part& part = parts_[number];
+    const auto k = static_cast<std::size_t>(particles.id[i] - part.first_id);
+    particles.kind[i] = part.kind[k];
+    particles.normal[i] = part.normal[k];
+    particles.u[i].setZero();
+    if (!part.motion.moves()) continue;
+    const Vec<dim>& X = part.place[k];
+    particles.x[i] = part.motion.place(X, end);
+    particles.u[i] = (particles.x[i] - part.motion.place(X, end - dt)) / dt;
+    particles.normal[i] = part.motion.place(X + part.normal[k], end) - particles.x[i];
     speed_ = std::max(speed_, particles.u[i].norm());
-    if (of == parts_.begin()) continue;
+    if (number == 0) continue;
     const Vec<dim> in_tank = tank_motion_.place(tank_motion_.origin(particles.x[i], end), end - dt);
     approach_ = std::max(approach_, (particles.u[i] - (particles.x[i] - in_tank) / dt).norm());
   }

@@ -17,7 +17,8 @@ class Walls {
   /// They may overlap each other and go into floor and side walls: a site counts once, as the tank's, or as
   /// the first obstacle's that has it. What of an obstacle lies in the tank's walls at the start does not
   /// move with it.
-  Walls(const v1::Fluid& fluid, int dummy_layers);
+  /// @param slip whether particles have the normals of their faces, along which water slides; else zero
+  Walls(const v1::Fluid& fluid, int dummy_layers, bool slip = true);
 
   /// Adds all wall and dummy particles.
   void add_to(Particles<dim>& particles);
@@ -29,7 +30,14 @@ class Walls {
   /// top.
   Box<dim> domain() const;
 
-  /// Puts the walls that move where they are at time `end`, with their mean velocity over `dt` before.
+  /// Whether the wall particle with this id is the tank's.
+  bool of_tank(std::int32_t id) const { return part_of(id) == 0; }
+
+  /// Whether the wall particle with this id belongs to an obstacle with a motion of its own.
+  bool moves_in_tank(std::int32_t id) const;
+
+  /// Puts the walls that move where they are at time `end`, with their mean velocity over `dt` before. Those
+  /// that something has covered are walls again.
   void move(Particles<dim>& particles, double end, double dt);
 
   /// @throws NumericalError where an obstacle has moved into floor, side walls or another obstacle by time
@@ -58,6 +66,7 @@ class Walls {
     std::int32_t first_id = 0;
   };
 
+  std::size_t part_of(std::int32_t id) const;
   bool taken(const Vec<dim>& x, bool moves) const;
   void require_room(std::ptrdiff_t obstacle, const Vec<dim>& x, double t) const;
   Vec<dim> tank_normal(const Vec<dim>& x) const;

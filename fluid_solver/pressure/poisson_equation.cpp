@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "fluid_solver/faces.hpp"
+#include "fluid_solver/pressure/parting_at_faces.hpp"
 #include "fluid_solver/weight.hpp"
 
 namespace cosurge::fluid {
@@ -14,17 +14,10 @@ namespace {
 constexpr int stretch = 64;  // candidates weighed in one go: as many as bits in a word
 constexpr int expected_blocks(int dim) { return dim == 2 ? 12 : 90; }  // on the lattice, and disorder
 constexpr double facing_away = -0.5;  // cosine between a wet face and the way to a neighbour behind the body
-constexpr float edge = 1e-6F;         // weight of a site on the edge r = r_e by rounding: it does not count
 
 template <int dim>
 bool behind(const Vec<dim>& area, const Vec<dim>& way, double r) {
   return area.dot(way) < facing_away * area.norm() * r;
-}
-
-/// Eq. (1) in single precision from a squared distance; 0 at r = 0, the particle itself.
-inline float weight_of(float r2, float re) {
-  const float w = re / std::sqrt(r2) - 1.0F;
-  return r2 > 0 && w > edge ? w : 0.0F;
 }
 
 /// A bit for each of `lanes` numbers that is not zero.
@@ -52,6 +45,7 @@ void PoissonEquation<dim>::number_unknowns(const Particles<dim>& particles, cons
   other_.clear();
   rank_.clear();
   wet_ = {0};
+  face_ = {0};
   cells_ = {};
   CellIndex<dim> last = CellIndex<dim>::Constant(-1);
   for (int i = 0; i < particles.size(); ++i) {
@@ -70,6 +64,7 @@ void PoissonEquation<dim>::number_unknowns(const Particles<dim>& particles, cons
     place_.push_back(i);
     cells_.of_unknown.push_back(cells_.size() - 1);
     wet_.push_back(wet_.back() + (particles.kind[i] == Kind::body_surface ? 1 : 0));
+    face_.push_back(face_.back() + (particles.kind[i] != Kind::fluid ? 1 : 0));
   }
   const auto size = static_cast<std::int32_t>(place_.size());
   rank_.push_back(size);
@@ -142,7 +137,7 @@ void PoissonEquation<dim>::assemble(const Particles<dim>& particles, const CellG
     A_.diagonal[k] = A_.own[k] + weights;
     wall_[k] = row.wall;
     sight_[k] = row.sight;
-    deviation_[k] = row.sight == Sight::surface ? std::nan("") : deviation;
+    deviation_[k] = (row.sight & surface) != 0 ? std::nan("") : deviation;
     return row.end - begin;
   };
   const auto room = [&](std::int64_t blocks) { A_.make_room(blocks); };
@@ -167,13 +162,29 @@ std::vector<double> PoissonEquation<dim>::divergence(const Particles<dim>& parti
 #pragma omp parallel for schedule(dynamic, Rows::chunk)
   for (std::size_t m = 0; m < place_.size(); ++m) {
     const auto k = static_cast<int>(m);
-    if (particles.kind[place_[m]] != Kind::fluid || sight_[m] > Sight::dummies) continue;
-    const bool faces = sight_[m] == Sight::dummies;
-    divergence[m] = per_sum * (faces ? parting_beside_walls(particles, grid, place_[m], kick)
-                                     : A_.template sum<Doubles>(k, [&](const Floats& weights, int column) {
-                                         return parting(u, k, weights, column);
-                                       }));
+    const int i = place_[m];
+    const bool water = particles.kind[i] == Kind::fluid;
+    if (!parameters_.open_surface && (!water || (sight_[m] & (bodies | surface)) != 0)) continue;
+    const bool faces = !water || (sight_[m] & (walls | bodies)) != 0;
+    divergence[m] =
+        per_sum * (faces ? parting_at_faces(particles, grid, i, parameters_.re, reference_.face_factor, kick)
+                         : A_.template sum<Doubles>(k, [&](const Floats& weights, int column) {
+                             return parting(u, k, weights, column);
+                           }));
   }
+  return divergence;
+}
+
+template <int dim>
+std::vector<double> PoissonEquation<dim>::divergence_by_bodies(const Particles<dim>& particles,
+                                                               const CellGrid<dim>& grid) const {
+  const double per_sum = dim / (reference_.lambda0 * reference_.n0);
+  std::vector<double> divergence(place_.size(), 0.0);
+#pragma omp parallel for schedule(dynamic, Rows::chunk)
+  for (std::size_t m = 0; m < place_.size(); ++m)
+    if ((sight_[m] & bodies) != 0)
+      divergence[m] = per_sum * parting_at_faces<dim>(particles, grid, place_[m], parameters_.re,
+                                                      reference_.face_factor, Vec<dim>::Zero());
   return divergence;
 }
 
@@ -187,25 +198,6 @@ Doubles PoissonEquation<dim>::parting(const Lines& velocity, int k, const Floats
     sum += (load<Doubles>(u + column) - u[k]) * (load<Doubles>(x + column) - x[k]);
   }
   return __builtin_convertvector(weights, Doubles) * sum;
-}
-
-/// The same, summed over all that particle i of the water sees: of walls only what goes across their faces.
-template <int dim>
-double PoissonEquation<dim>::parting_beside_walls(const Particles<dim>& particles, const CellGrid<dim>& grid,
-                                                  int i, const Vec<dim>& kick) const {
-  double sum = 0;
-  grid.ranges(grid.cell_of(particles.x[i]), reach(grid), [&](std::int32_t first, std::int32_t last) {
-    for (std::int32_t j = first; j < last; ++j) {
-      const Vec<dim> x_ij = particles.x[j] - particles.x[i];
-      const double w = weight_at(x_ij);
-      if (w == 0) continue;
-      const Vec<dim> u_ij = particles.u[j] - particles.u[i];
-      sum += w * (particles.kind[j] == Kind::fluid
-                      ? u_ij.dot(x_ij)
-                      : across_face<dim>(u_ij + kick, particles.normal[j]).dot(x_ij));
-    }
-  });
-  return sum;
 }
 
 template <int dim>
@@ -237,6 +229,8 @@ void PoissonEquation<dim>::fill_line(const Assembly& assembly, int first, int la
   for (int begin = first; begin < last; begin += stretch) {
     const int count = std::min(stretch, last - begin);
     weigh(x_i, begin, count, weights.data());
+    for (int k = 0; face_[last] > face_[first] && k < count; ++k)
+      if (weights[k] != 0 && face_[begin + k + 1] > face_[begin + k]) row.see(walls);
     if (beside_body) hide_behind_bodies(assembly, begin, count, weights.data(), row);
     append_blocks(begin, count, weights.data(), row);
   }
@@ -290,7 +284,7 @@ void PoissonEquation<dim>::hide_behind_bodies(const Assembly& assembly, int firs
   for (int k = 0; k < count; ++k) {
     if (weights[k] == 0) continue;
     const int j = place_[first + k];
-    if (particles.kind[j] == Kind::body_surface) row.see(Sight::bodies);
+    if (particles.kind[j] == Kind::body_surface) row.see(bodies);
     const Vec<dim> x_ij = particles.x[j] - particles.x[row.i];
     const double r = x_ij.norm();
     const bool hidden = (on_body && behind<dim>(assembly.areas[row.i], x_ij, r)) ||
@@ -308,7 +302,7 @@ void PoissonEquation<dim>::open_to_air(double lack, Row& row) const {
   const double weight = open_surface_.weight(lack);
   if (weight == 0) return;
   row.diagonal += weight;
-  row.see(Sight::surface);
+  row.see(surface);
 }
 
 /// Free surface (P = 0), and walls by the Neumann condition: the particles first ... last of those without an
@@ -330,11 +324,11 @@ void PoissonEquation<dim>::add_others(const Assembly& assembly, int first, int l
     if (wall) {
       row.wall += w * parameters_.density * parameters_.gravity.dot(x_ij);
       row.others += smooth_share(w);
-      row.see(of_body(particles.kind[j]) ? Sight::bodies : Sight::dummies);
+      row.see(of_body(particles.kind[j]) ? bodies : walls);
     } else {
       row.diagonal += w;
       row.others += smooth_share(w);
-      if (!parameters_.open_surface) row.see(Sight::surface);
+      if (!parameters_.open_surface) row.see(surface);
     }
   }
 }

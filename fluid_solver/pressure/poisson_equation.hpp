@@ -44,15 +44,21 @@ class PoissonEquation {
   /// there.
   const std::vector<double>& deviation() const { return deviation_; }
 
-  /// Divergence of the velocity with the equation's own weights, eq. (10b), at each unknown [1/s]; NaN at
-  /// those that are no water, lie beside a free surface or have a body within the radius. Water slides along
-  /// walls, as in `divergence` of operators.hpp; `kick` is added to their velocity.
+  /// Divergence of the velocity with the equation's own weights, eq. (10b) and (10c), at each unknown [1/s].
+  /// Water slides along walls and bodies; `kick` [m/s] is added to the velocity of both: what gravity has given
+  /// the water in the prediction. The Neumann condition takes it back from both; without it the source would
+  /// count the weight of the water once more. Without an open surface it is NaN at unknowns that are no water,
+  /// or have a free surface or a body within the radius.
   std::vector<double> divergence(const Particles<dim>& particles, const CellGrid<dim>& grid,
                                  const Vec<dim>& kick) const;
+
+  /// The same with an open surface, where only bodies move: zero at unknowns that see no body.
+  std::vector<double> divergence_by_bodies(const Particles<dim>& particles, const CellGrid<dim>& grid) const;
 
   /// The right-hand side of a source alone, without gravity at walls.
   std::vector<double> rows_of(const std::vector<double>& source) const;
 
+  bool has_open_surface() const { return parameters_.open_surface; }
   const Matrix& matrix() const { return A_; }
   const std::vector<double>& right_hand_side() const { return b_; }
   const CellsOfUnknowns& cells() const { return cells_; }
@@ -70,9 +76,8 @@ class PoissonEquation {
     int reach;  ///< cells to each side that a row looks at
   };
 
-  /// What an unknown has within the radius, beside water and points of walls that are unknowns: the last that
-  /// holds.
-  enum class Sight : std::uint8_t { water, dummies, bodies, surface };
+  /// What an unknown has within the radius, beside water: a bit each.
+  enum Sight : std::uint8_t { walls = 1, bodies = 2, surface = 4 };
 
   /// A row while it is filled.
   struct Row {
@@ -83,9 +88,9 @@ class PoissonEquation {
     double wall = 0;      ///< of the Neumann terms
     Floats smooth{};      ///< sums of shares in the smooth density, by lane
     double others = 0;    ///< the same, of what is no unknown or hidden behind a body
-    Sight sight = Sight::water;
+    std::uint8_t sight = 0;
 
-    void see(Sight what) { sight = std::max(sight, what); }
+    void see(Sight what) { sight |= what; }
   };
 
   void number_unknowns(const Particles<dim>& particles, const CellGrid<dim>& grid);
@@ -100,8 +105,6 @@ class PoissonEquation {
   template <typename Value>
   Lines in_lines(Value&& value) const;
   Doubles parting(const Lines& velocity, int k, const Floats& weights, int column) const;
-  double parting_beside_walls(const Particles<dim>& particles, const CellGrid<dim>& grid, int i,
-                              const Vec<dim>& kick) const;
   double weight_at(const Vec<dim>& x_ij) const;
   int reach(const CellGrid<dim>& grid) const;  // cells to each side that a row looks at
 
@@ -112,12 +115,13 @@ class PoissonEquation {
   std::vector<double> b_;
   std::vector<double> wall_;  // of the Neumann terms, in b_
   std::vector<double> deviation_;
-  std::vector<Sight> sight_;
+  std::vector<std::uint8_t> sight_;
   CellsOfUnknowns cells_;
   std::vector<std::int32_t> place_;  // of each unknown
   std::vector<std::int32_t> rank_;   // unknowns in lower places than this one, for each place and the end
   std::vector<std::int32_t> other_;  // places of the particles that are no unknowns
-  std::vector<std::int32_t> wet_;  // unknowns on bodies that are numbered lower, for each unknown and the end
+  std::vector<std::int32_t> wet_;   // unknowns on bodies that are numbered lower, for each unknown and the end
+  std::vector<std::int32_t> face_;  // the same of unknowns on walls and bodies
   Lines x_;                        // of the unknowns
 };
 

@@ -8,7 +8,8 @@ struct SourceInput {
   double density;     ///< fluid density rho [kg/m3]
   double dt;          ///< [s]
   double deviation;   ///< (n - n0) / n0 of the predicted positions [-]
-  double divergence;  ///< of the predicted velocities [1/s]
+  double divergence = 0;      ///< of the predicted velocities [1/s]
+  double per_divergence = 0;  ///< what the source changes by with it [kg/(m3 s)]
 };
 
 /// Eq. (6a), the paper's: S = -gamma rho / dt^2 (n* - n0) / n0 (Koshizuka & Oka 1996). An undamped spring on
@@ -21,7 +22,7 @@ inline double deviation_source(const SourceInput& in, double gamma) {
 /// doi 10.1016/j.jcp.2010.02.011; Lee et al. 2011, doi 10.1016/j.cma.2010.12.001). The step ends free of
 /// divergence; the density drifts back over 1 / gamma steps.
 inline double mixed_source(const SourceInput& in, double gamma) {
-  return (1 - gamma) * in.density / in.dt * in.divergence + deviation_source(in, gamma);
+  return in.per_divergence * in.divergence + deviation_source(in, gamma);
 }
 
 /// How fast the source `time_scale` mends what the pressure has to mend [1/s].
@@ -32,9 +33,9 @@ struct Rates {
 
 /// Eq. (6c): S = rho k_u div u* - rho k_n^2 (n* - n0) / n0, after Cheng, Amaro & Favero 2021 (arXiv
 /// 2203.08873), who have one rate c / l0 for both: the divergence decays on a time scale of its own, whatever
-/// the step, and the density follows, damped by k_u / (2 k_n) of critical.
-inline double time_scale_source(const SourceInput& in, const Rates& rates) {
-  return in.density * (rates.divergence * in.divergence - rates.density * rates.density * in.deviation);
+/// the step, and the density follows, damped by k_u / (2 k_n) of critical. `density_rate` is k_n [1/s].
+inline double time_scale_source(const SourceInput& in, double density_rate) {
+  return in.per_divergence * in.divergence - in.density * density_rate * density_rate * in.deviation;
 }
 
 }  // namespace cosurge::fluid

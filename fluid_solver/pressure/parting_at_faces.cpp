@@ -1,0 +1,82 @@
+#include "fluid_solver/pressure/parting_at_faces.hpp"
+
+#include <cmath>
+
+#include "fluid_solver/faces.hpp"
+#include "fluid_solver/weight.hpp"
+
+namespace cosurge::fluid {
+namespace {
+
+/// Calls visit(j, x_ij, w) for the particles within `re` of particle i.
+template <int dim, typename Visit>
+void each_seen(const Particles<dim>& particles, const CellGrid<dim>& grid, int i, double re, Visit&& visit) {
+  const int reach = static_cast<int>(std::ceil(re * (1 - 1e-9) / grid.cell_size()));
+  grid.ranges(grid.cell_of(particles.x[i]), reach, [&](std::int32_t first, std::int32_t last) {
+    for (std::int32_t j = first; j < last; ++j) {
+      const Vec<dim> x_ij = particles.x[j] - particles.x[i];
+      const double w = weight_of(static_cast<float>(x_ij.squaredNorm()), static_cast<float>(re));
+      if (w != 0) visit(j, x_ij, w);
+    }
+  });
+}
+
+/// In the row of water.
+template <int dim>
+double parting_of_water(const Particles<dim>& particles, const CellGrid<dim>& grid, int i, double re,
+                        const Vec<dim>& kick) {
+  double sum = 0;
+  each_seen(particles, grid, i, re, [&](int j, const Vec<dim>& x_ij, double w) {
+    const Vec<dim> u_ij = particles.u[j] - particles.u[i];
+    sum += w * (particles.kind[j] == Kind::fluid
+                    ? u_ij.dot(x_ij)
+                    : across_face<dim>(u_ij + kick, particles.normal[j]).dot(x_ij));
+  });
+  return sum;
+}
+
+/// In the row of a point of a wall or body: by the water ahead of it and by other walls. The points of a wall
+/// that the face moves along stand for the water there; and a face beside it moves as in the row of water.
+template <int dim>
+double parting_of_face(const Particles<dim>& particles, const CellGrid<dim>& grid, int i, double re,
+                       double face_factor, const Vec<dim>& kick) {
+  constexpr double facing_away = -0.5;  // cosine between the normal and the way to water behind the body
+  const Vec<dim>& n = particles.normal[i];
+  const bool on_body = of_body(particles.kind[i]);
+  double ahead = 0, beside = 0, weights = 0;
+  Vec<dim> along = Vec<dim>::Zero(), centre = Vec<dim>::Zero();
+  each_seen(particles, grid, i, re, [&](int j, const Vec<dim>& x_ij, double w) {
+    const Vec<dim> u_ij = particles.u[j] - particles.u[i];
+    if (particles.kind[j] != Kind::fluid) {
+      if (on_body && of_body(particles.kind[j])) return;
+      const Vec<dim> across = across_face<dim>(u_ij, n);
+      ahead += w * across.dot(x_ij);
+      beside += w * across_face<dim>(u_ij - across, particles.normal[j]).dot(x_ij);
+      return;
+    }
+    if (on_body && n.dot(x_ij) < facing_away * x_ij.norm()) return;
+    const Vec<dim> across = across_face<dim>(u_ij - kick, n);
+    ahead += w * (u_ij - kick).dot(x_ij);
+    weights += w;
+    along += w * (u_ij - kick - across);
+    centre += w * x_ij;
+  });
+  if (weights > 0) ahead -= along.dot(centre) / weights;
+  return face_factor * ahead + beside;
+}
+
+}  // namespace
+
+template <int dim>
+double parting_at_faces(const Particles<dim>& particles, const CellGrid<dim>& grid, int i, double re,
+                        double face_factor, const Vec<dim>& kick) {
+  return particles.kind[i] == Kind::fluid ? parting_of_water(particles, grid, i, re, kick)
+                                          : parting_of_face(particles, grid, i, re, face_factor, kick);
+}
+
+template double parting_at_faces<2>(const Particles<2>&, const CellGrid<2>&, int, double, double,
+                                    const Vec<2>&);
+template double parting_at_faces<3>(const Particles<3>&, const CellGrid<3>&, int, double, double,
+                                    const Vec<3>&);
+
+}  // namespace cosurge::fluid
