@@ -131,9 +131,9 @@ void warn_of_deflection(const Recorder& recorder) {
 /// The run once the solvers are there. Returns the exit status.
 int run_with(Solvers& solvers, const v1::Case& the_case, const fs::path& folder,
              const Checkpoint* checkpoint) {
+  say("{}\n", the_case.title());
   Coupler coupler(the_case, solvers.participants());
   if (checkpoint != nullptr) coupler.restore(checkpoint->state);
-  say("{}\n", the_case.title());
   for (const Member& member : coupler.members())
     say("  {}: {} {}, {} particles\n", member.name, member.identity.program, member.identity.version,
         member.setup.particles);
