@@ -240,8 +240,9 @@ void resolve(Message& message) {
         resolve(*reflection.MutableRepeatedMessage(&message, &field, k));
     } else if (is_message) {
       const bool part = &type == v1::Case::descriptor();  // of the scene: absent means that there is none
+      const bool absence_counts = part || rule_of(field).may_miss();
       const bool given = reflection.HasField(message, &field);
-      if (!given && part) continue;
+      if (!given && absence_counts) continue;
       Message& inner = *reflection.MutableMessage(&message, &field);
       resolve(inner);
       if (!given && inner.ByteSizeLong() == 0) reflection.ClearField(&message, &field);  // it has no defaults

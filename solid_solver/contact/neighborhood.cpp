@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "common/carriers.hpp"
 #include "common/error.hpp"
 
 namespace cosurge::contact {
@@ -46,7 +47,7 @@ Neighborhood<dim>::Neighborhood(const v1::Case& the_case, double spacing)
     : spacing_(spacing), reach_(reach_in_spacings * spacing) {
   if (the_case.fluid().has_tank()) tank_.emplace_back(the_case.fluid());
   for (const v1::Obstacle& obstacle : the_case.fluid().obstacle())
-    obstacles_.emplace_back(obstacle, spacing, reach_);
+    obstacles_.emplace_back(obstacle.shape(), motion_of(the_case.fluid(), obstacle), spacing, reach_);
   first_.push_back(0);
   for (const v1::Body& body : the_case.solid().body()) {
     shapes_.emplace_back(shape_of(body));
@@ -112,7 +113,7 @@ void Neighborhood<dim>::add_walls(const Field& x, double t, Touches& touches) co
       touch.normal = tank.normal(wall);
       if (moves) {
         touch.normal = motion.place(home + touch.normal, t) - motion.place(home, t);
-        touch.prescribed_rate = -touch.normal.dot(ObstacleBoundary<dim>::velocity(motion, home, t));
+        touch.prescribed_rate = -touch.normal.dot(motion.velocity(home, t));
       }
       touch.place = at;
       touch.area = area_[v];
@@ -150,7 +151,7 @@ void Neighborhood<dim>::add_obstacle(int o, int b, const Field& x, double t, Tou
     const Vec<dim> home = touch.place;
     touch.place = motion.place(home, t);
     touch.normal = motion.place(home + touch.normal, t) - touch.place;
-    touch.prescribed_rate = -touch.normal.dot(ObstacleBoundary<dim>::velocity(motion, home, t));
+    touch.prescribed_rate = -touch.normal.dot(motion.velocity(home, t));
   }
   Pressing others{.body = -1, .boundary = obstacle.boundary(), .x = obstacle.boundary().position};
   for (Eigen::Index v = 0; moves && v < others.x.cols(); ++v) {
@@ -167,8 +168,8 @@ void Neighborhood<dim>::add_obstacle(int o, int b, const Field& x, double t, Tou
   for (std::size_t k = second; k < touches.size(); ++k) {
     touches[k].other = name_of_o;
     if (moves)
-      touches[k].prescribed_rate = touches[k].normal.dot(
-          ObstacleBoundary<dim>::velocity(motion, motion.origin(touches[k].place, t), t));
+      touches[k].prescribed_rate =
+          touches[k].normal.dot(motion.velocity(motion.origin(touches[k].place, t), t));
   }
 }
 

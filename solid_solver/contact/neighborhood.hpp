@@ -32,6 +32,8 @@ class Neighborhood {
   /// Which vertices their bodies hold: they press on nothing. None, unless it is called.
   void hold(std::vector<char> held) { held_ = std::move(held); }
 
+  bool held(Eigen::Index vertex) const { return held_[static_cast<std::size_t>(vertex)] != 0; }
+
   /// What is farther from each other does not touch [m]: also the largest depth at which contact is found.
   double reach() const { return reach_; }
 
