@@ -45,15 +45,17 @@ class Bodies {
   /// Points on the sites of the bodies. Area vectors count the missing lattice faces, A_0 = l0^(d-1) sum of
   /// face normals, eq. (14); faces towards a clamp or out of `tank` are not wet. So the areas of a body that
   /// is wet all around add up to zero and uniform pressure gives no net force. Faces towards obstacles and
-  /// other bodies are wet as soon as there is a gap (open_faces).
+  /// other bodies are wet as soon as there is a gap (CoveredFaces).
   Bodies(const v1::Solid& solid, const Box<dim>& tank, double spacing);
 
   int points() const { return static_cast<int>(position_.size()); }
   const Vec<dim>& position(int k) const { return position_[static_cast<std::size_t>(k)]; }
   int body(int k) const { return body_[static_cast<std::size_t>(k)]; }
-  /// Whether no material of the body itself, its clamps or the tank cover the point from all sides where it
-  /// is drawn.
+  /// Whether the point has a face that neither its body, nor clamps, nor the tank cover where it is drawn.
   bool wet(int k) const { return !area_[static_cast<std::size_t>(k)].isZero(); }
+
+  /// Areas of its wet lattice faces where it is drawn.
+  const LatticeFaces<dim>& lattice_faces(int k) const { return faces_[static_cast<std::size_t>(k)]; }
 
   /// The surface that `displacement` (dimension x points [m]) has deformed; all of it is open to the water.
   Faces<dim> deformed(const Field& displacement) const;

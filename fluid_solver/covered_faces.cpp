@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace cosurge::fluid {
 namespace {
@@ -13,42 +14,54 @@ constexpr double open_gap = 0.5;
 // a spacing along each axis none is farther.
 constexpr double beside = 0.55;
 
-/// Share of a face that particle j leaves open, which lies at `way` from the point behind the face.
+/// How far a particle at `way` from the point is along a face's normal [spacings]; infinity where it does not
+/// lie before the face.
 template <int dim>
-double left_open(const Vec<dim>& way, const Vec<dim>& normal, double spacing) {
+double ahead(const Vec<dim>& way, const Vec<dim>& normal, double spacing) {
   const double along = way.dot(normal);
-  if (along <= 0 || (way - along * normal).norm() > beside * std::sqrt(dim - 1.0) * spacing) return 1;
-  return std::clamp((along / spacing - 1 - closed_gap) / (open_gap - closed_gap), 0.0, 1.0);
+  const bool before = along > 0 && (way - along * normal).norm() <= beside * std::sqrt(dim - 1.0) * spacing;
+  return before ? along / spacing : std::numeric_limits<double>::infinity();
+}
+
+double open_share(double ahead) {
+  return std::clamp((ahead - 1 - closed_gap) / (open_gap - closed_gap), 0.0, 1.0);
 }
 
 }  // namespace
 
 template <int dim>
-std::vector<Openness<dim>> open_faces(const Bodies<dim>& bodies, const Faces<dim>& faces,
-                                      const std::vector<int>& place, const Particles<dim>& particles,
-                                      const Neighbors<dim>& neighbors, double spacing) {
+std::vector<Openness<dim>> CoveredFaces<dim>::find(const Bodies<dim>& bodies, const Faces<dim>& faces,
+                                                   const std::vector<int>& place,
+                                                   const Particles<dim>& particles,
+                                                   const Neighbors<dim>& neighbors, double spacing) {
   std::vector<int> body(static_cast<std::size_t>(particles.size()), -1);
   for (int k = 0; k < bodies.points(); ++k) body[static_cast<std::size_t>(place[k])] = bodies.body(k);
   std::vector<Openness<dim>> open(static_cast<std::size_t>(bodies.points()));
+  film_.resize(open.size(), 0);
   for (int k = 0; k < bodies.points(); ++k) {
     if (!bodies.wet(k)) continue;
     const Mat<dim>& J = faces.cofactor[k];
+    bool narrow = false, water = false;
     neighbors.each(particles, place[k], [&](int j, const Vec<dim>& way, double) {
+      water = water || particles.kind[j] == Kind::fluid;
       const bool wall = particles.kind[j] == Kind::wall || particles.kind[j] == Kind::dummy;
       if (!wall && (body[j] < 0 || body[j] == bodies.body(k))) return;
       for (int axis = 0; axis < dim; ++axis) {
         const Vec<dim> normal = J.col(axis).normalized();
-        open[k].above[axis] = std::min(open[k].above[axis], left_open<dim>(way, normal, spacing));
-        open[k].below[axis] = std::min(open[k].below[axis], left_open<dim>(way, -normal, spacing));
+        const double above = ahead<dim>(way, normal, spacing), below = ahead<dim>(way, -normal, spacing);
+        const LatticeFaces<dim>& wet = bodies.lattice_faces(k);
+        narrow = narrow || (wet.above[axis] > 0 && above < 2) || (wet.below[axis] > 0 && below < 2);
+        open[k].above[axis] = std::min(open[k].above[axis], open_share(above));
+        open[k].below[axis] = std::min(open[k].below[axis], open_share(below));
       }
     });
+    if (!narrow) film_[k] = water ? 1 : 0;
+    if (film_[k] != 0) open[k] = Openness<dim>();
   }
   return open;
 }
 
-template std::vector<Openness<2>> open_faces(const Bodies<2>&, const Faces<2>&, const std::vector<int>&,
-                                             const Particles<2>&, const Neighbors<2>&, double);
-template std::vector<Openness<3>> open_faces(const Bodies<3>&, const Faces<3>&, const std::vector<int>&,
-                                             const Particles<3>&, const Neighbors<3>&, double);
+template class CoveredFaces<2>;
+template class CoveredFaces<3>;
 
 }  // namespace cosurge::fluid

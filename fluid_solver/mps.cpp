@@ -7,7 +7,6 @@
 #include "common/error.hpp"
 #include "common/ordered_sum.hpp"
 #include "fluid_solver/buried_walls.hpp"
-#include "fluid_solver/covered_faces.hpp"
 #include "fluid_solver/operators.hpp"
 #include "fluid_solver/surface_damping.hpp"
 
@@ -242,8 +241,9 @@ void Mps<dim>::search_neighbors(double time) {
 template <int dim>
 void Mps<dim>::close_covered_faces() {
   if (faces_.area.empty()) return;
-  bodies_.set_open(open_faces(bodies_, faces_, body_place_, particles_, neighbors_, parameters_.spacing()),
-                   faces_);
+  bodies_.set_open(
+      covered_faces_.find(bodies_, faces_, body_place_, particles_, neighbors_, parameters_.spacing()),
+      faces_);
   for (int k = 0; k < bodies_.points(); ++k) {
     const int i = body_place_[k];
     areas_[i] = faces_.area[k];

@@ -6,8 +6,8 @@
 
 #include "common/phase_clock.hpp"
 #include "fluid_solver/added_mass.hpp"
-#include "fluid_solver/bodies.hpp"
 #include "fluid_solver/collision.hpp"
+#include "fluid_solver/covered_faces.hpp"
 #include "fluid_solver/density.hpp"
 #include "fluid_solver/pressure/poisson_equation.hpp"
 #include "fluid_solver/pressure/source.hpp"
@@ -105,6 +105,7 @@ class Mps {
   ReferenceValues reference_;  // of the small radius
   Walls<dim> walls_;
   Bodies<dim> bodies_;
+  CoveredFaces<dim> covered_faces_;
   Particles<dim> particles_;
   int initial_size_ = 0;
   Neighbors<dim> neighbors_;

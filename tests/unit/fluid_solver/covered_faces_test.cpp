@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "fluid_solver/mps.hpp"
 #include "tests/support/water.hpp"
 
@@ -76,6 +78,47 @@ TEST(CoveredFaces, CloseAsAPlateComesToAnObstacle) {
   EXPECT_EQ(wet_points(0.3 * l0), apart);
   EXPECT_EQ(wet_points(0), apart - 19);  // of 20 points on the face the uppermost has its upper face open
   EXPECT_EQ(wet_points(0.6 * l0), apart);
+}
+
+/// Open faces towards +x of a body beside a wall at a distance, with or without water between them, where the
+/// faces were open before as `covered` knows.
+double open_to_the_right(CoveredFaces<2>& covered, double gap, bool water) {
+  const Bodies<2> bodies(test::solid_of(box_of({0, 0}, {0.04, 0.08})), Box<2>({-1, -1}, {1, 1}), l0);
+  Particles<2> particles;
+  std::vector<Vec<2>> wall = fill(Box<2>({0.04, 0}, {0.07, 0.08}), l0);
+  for (const Vec<2>& x : wall) particles.add(Kind::dummy, x + Vec<2>(gap, 0));
+  for (double y = 0.5 * l0; water && y < 0.08; y += l0) particles.add(Kind::fluid, {0.045, y});
+  const int first = particles.size();
+  for (int k = 0; k < bodies.points(); ++k)
+    particles.add(bodies.wet(k) ? Kind::body_surface : Kind::body_inner, bodies.position(k));
+  Neighbors<2> neighbors(Box<2>({-1, -1}, {1, 1}), 2.1 * l0);
+  neighbors.rebuild(particles);
+  std::vector<int> place(static_cast<std::size_t>(bodies.points()));
+  for (int i = 0; i < particles.size(); ++i)
+    if (particles.id[i] >= first) place[static_cast<std::size_t>(particles.id[i] - first)] = i;
+  const Faces<2> faces = bodies.deformed(Field::Zero(2, bodies.points()));
+  const auto open = covered.find(bodies, faces, place, particles, neighbors, l0);
+  double sum = 0;
+  for (int k = 0; k < bodies.points(); ++k)
+    sum += bodies.lattice_faces(k).above[0] / l0 * open[static_cast<std::size_t>(k)].above[0];
+  return sum;
+}
+
+TEST(CoveredFaces, CloseInTheDryWithTheGapAndOpenAgain) {
+  CoveredFaces<2> covered;
+  for (const auto& [gap, open] :
+       {std::pair(1.2, 8.0), {0.6, 8.0}, {0.375, 4.0}, {0.2, 0.0}, {0.0, 0.0}, {0.5, 8.0}})
+    EXPECT_NEAR(open_to_the_right(covered, gap * l0, false), open, 1e-9) << gap;
+}
+
+TEST(CoveredFaces, AFilmIsLeftWhereWaterIsSqueezedOut) {
+  CoveredFaces<2> covered;
+  EXPECT_EQ(open_to_the_right(covered, 1.2 * l0, true), 8);
+  for (const double gap : {0.9, 0.4, 0.0, 0.4})
+    EXPECT_EQ(open_to_the_right(covered, gap * l0, false), 8) << gap;
+  // In the air it is gone.
+  EXPECT_EQ(open_to_the_right(covered, 1.2 * l0, false), 8);
+  EXPECT_EQ(open_to_the_right(covered, 0, false), 0);
 }
 
 }  // namespace
