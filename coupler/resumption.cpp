@@ -22,7 +22,7 @@ bool may(const std::string& key) {
                      [&](const char* start) { return key.starts_with(start); });
 }
 
-/// Keeps what has come after the checkpoint out of the way of a shorter end.
+/// @throws Error with all changes that are not allowed, and where the end is not later than the checkpoint.
 void require_changes(const Checkpoint& checkpoint, const v1::Case& now,
                      const std::vector<Difference>& changes) {
   std::vector<std::string> wrong;
@@ -33,9 +33,12 @@ void require_changes(const Checkpoint& checkpoint, const v1::Case& now,
                       "output.frame_interval, fluid.courant, fluid.pressure and fluid.most_lost",
                       change.key, change.first));
   if (now.time().end() <= checkpoint.time)
-    wrong.push_back(fmt::format(
-        "time.end: {} s must be > {:.9g} s, where the run stands{}", now.time().end(), checkpoint.time,
-        changes.empty() ? ": it is finished; --set time.end=... makes it longer" : ""));
+    wrong.push_back(
+        changes.empty()
+            ? fmt::format("the run is finished at t = {:.9g} s; --set time.end=... makes it longer",
+                          checkpoint.time)
+            : fmt::format("time.end: {} s must be > {:.9g} s, where the run stands", now.time().end(),
+                          checkpoint.time));
   require(wrong.empty(), "{}", fmt::join(wrong, "\n"));
 }
 

@@ -140,9 +140,10 @@ void warn_of_deflection(const Recorder& recorder) {
 /// How to go on with a run that has not finished. A computation that has broken down would do so again.
 void advise(const fs::path& folder, bool broken_down, double checkpoint_time) {
   if (broken_down)
-    say("cosurge resume {0} alone would fail at the same window. With --set it goes on from t = {1:.6g} s "
-        "with what may "
-        "help: shorter windows (time.window), another coupling.scheme\n",
+    say("cosurge resume {0} alone would fail at the same window. From t = {1:.6g} s on it may change "
+        "time.window, "
+        "coupling, fluid.courant, fluid.pressure and fluid.most_lost (--set); anything else needs a new "
+        "run\n",
         folder.string(), checkpoint_time);
   else
     say("to go on: cosurge resume {}\n", folder.string());

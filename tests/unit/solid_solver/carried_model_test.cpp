@@ -6,8 +6,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "common/carriers.hpp"
+#include "common/error.hpp"
 #include "common/motion.hpp"
 #include "solid_solver/models/make_model.hpp"
+#include "tests/support/contact_scene.hpp"
 
 namespace cosurge {
 namespace {
@@ -170,6 +173,35 @@ TEST(CarriedOscillator, FollowsTheSolutionOfAShakenAnchor) {
   }
   RecordProperty("worst", fmt::format("{:.3g}", worst));
   EXPECT_LT(worst, 5e-4 * amplitude + amplitude * shaken * dt);  // the blow of the start lasts a window
+}
+
+TEST(CarriedBody, TouchesNothingWhereItsTankCarriesIt) {
+  test::ContactRun run(rolling_tank<2>(Word::fem, 1e7));
+  while (run.windows < 300) {
+    run.advance();
+    ASSERT_EQ(run.value("contact_points"), 0) << run.windows;
+  }
+  EXPECT_TRUE(run.notes.empty());
+  EXPECT_EQ(run.value("substeps"), 1);
+}
+
+TEST(CarriedBody, GoesWithTheObstacleThatItsClampsLieIn) {
+  v1::Case c = rolling_tank<2>(Word::rigid, 1e9);
+  c.mutable_fluid()->clear_tank_motion();
+  v1::Obstacle& obstacle = *c.mutable_fluid()->add_obstacle();
+  *obstacle.mutable_shape() = test::box({0.2, -0.1}, {0.4, 0});
+  v1::WallMotion& motion = *obstacle.mutable_motion();
+  motion.set_angle(0.2);
+  motion.set_frequency(1);
+  const auto model = make(c);
+  model->advance({.index = 0, .start = 0, .size = 0.2}, none(*model, 2));
+  EXPECT_LT(strayed<2>(*model, motion, 0.2), 1e-15);
+  EXPECT_GT(model->displacement().cwiseAbs().maxCoeff(), 0.01);
+  // Its other end in the tank, which stands still.
+  *c.mutable_solid()->mutable_body(0)->add_clamp() = test::box({0.28, 0.12}, {0.32, 0.16});
+  EXPECT_THROW(static_cast<void>(motion_of(c, c.solid().body(0))), Error);
+  c.mutable_solid()->mutable_body(0)->mutable_motion();
+  EXPECT_FALSE(Motion<2>(motion_of(c, c.solid().body(0))).moves());
 }
 
 TEST(CarriedBody, WhatNothingHoldsOrMovesIsLeftAlone) {
