@@ -109,7 +109,8 @@ TEST_F(ResumeWithChanges, WhatAStateDependsOnIsRefusedAllAtOnceAndNothingIsWritt
                             "--set solid.model:", "time.end: 0.04 s must be > 0.04 s"})
     EXPECT_THAT(said, HasSubstr(words));
   EXPECT_EQ(fs::last_write_time(folder("run") / "results.h5"), before);
-  EXPECT_THAT(resume("run", {}, 1), HasSubstr("the run is finished at t = 0.04 s; --set time.end=... makes it longer"));
+  EXPECT_THAT(resume("run", {}, 1),
+              HasSubstr("the run is finished at t = 0.04 s; --set time.end=... makes it longer"));
 }
 
 TEST_F(ResumeWithChanges, ACaseFileThatHasChangedSinceIsTold) {
