@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "common/case_overrides.hpp"
 #include "common/case_rules.hpp"
 #include "common/case_tables.hpp"
 #include "common/error.hpp"
@@ -173,61 +174,6 @@ class Walk {
   CaseErrors& errors_;
 };
 
-/// The value of an override: TOML, or a bare word.
-toml::table parse_value(const std::string& source, const std::string& value) {
-  try {
-    return toml::parse("value = " + value, source);
-  } catch (const toml::parse_error&) {
-    require(value.find_first_of("'\n\r") == std::string::npos,
-            "{}: \"{}\" is neither a TOML value nor a word", source, value);
-    return toml::parse("value = '" + value + "'", source);
-  }
-}
-
-/// The entry of a list that `key` means, if there is one.
-std::optional<std::size_t> entry_of(const toml::array& items, const std::string& key) {
-  const bool numeric =
-      !key.empty() && key.size() < 9 && key.find_first_not_of("0123456789") == std::string::npos;
-  if (!numeric || std::stoul(key) >= items.size()) return std::nullopt;
-  return std::stoul(key);
-}
-
-/// Walks down `keys` from `node`, making tables where there are none; null where the way leads through a
-/// value.
-toml::node* descend(toml::node* node, const std::string& key) {
-  if (toml::table* inner = node->as_table()) {
-    if (!inner->contains(key)) inner->insert(key, toml::table{});
-    return inner->get(key);
-  }
-  if (toml::array* items = node->as_array())
-    if (const auto entry = entry_of(*items, key)) return items->get(*entry);
-  return nullptr;
-}
-
-void apply_override(toml::table& root, const std::string& text) {
-  const auto equals = text.find('=');
-  require(equals != std::string::npos && equals > 0, "--set {}: must be key.path=value", text);
-  const std::string key = text.substr(0, equals);
-  const std::string source = "--set " + text;
-  toml::table parsed = parse_value(source, text.substr(equals + 1));
-  toml::node* node = &root;
-  std::size_t start = 0;
-  for (auto dot = key.find('.'); dot != std::string::npos && node != nullptr; dot = key.find('.', start)) {
-    node = descend(node, key.substr(start, dot - start));
-    start = dot + 1;
-  }
-  const std::string last = key.substr(start);
-  toml::node& value = *parsed.get("value");
-  if (toml::table* inner = node ? node->as_table() : nullptr) {
-    inner->insert_or_assign(last, std::move(value));
-    return;
-  }
-  toml::array* items = node ? node->as_array() : nullptr;
-  const auto entry = items ? entry_of(*items, last) : std::nullopt;
-  require(entry.has_value(), "{}: the case has no such key", source);
-  items->replace(items->begin() + static_cast<std::ptrdiff_t>(*entry), std::move(value));
-}
-
 /// Writes every default into the message, so that what was computed can be read off the results.
 void resolve(Message& message) {
   const Descriptor& type = *message.GetDescriptor();
@@ -240,8 +186,9 @@ void resolve(Message& message) {
         resolve(*reflection.MutableRepeatedMessage(&message, &field, k));
     } else if (is_message) {
       const bool part = &type == v1::Case::descriptor();  // of the scene: absent means that there is none
+      const bool absence_counts = part || rule_of(field).may_miss();
       const bool given = reflection.HasField(message, &field);
-      if (!given && part) continue;
+      if (!given && absence_counts) continue;
       Message& inner = *reflection.MutableMessage(&message, &field);
       resolve(inner);
       if (!given && inner.ByteSizeLong() == 0) reflection.ClearField(&message, &field);  // it has no defaults
@@ -288,6 +235,21 @@ v1::Case load_case(const std::string& path, const std::vector<std::string>& over
   errors.raise();
   resolve(result);
   snap_probes(result);
+  check_rules(result, errors);
+  errors.raise();
+  return result;
+}
+
+v1::Case change_case(const v1::Case& the_case, const std::vector<std::string>& overrides) {
+  toml::table root = tree_of(the_case);
+  for (const std::string& text : overrides) apply_override(root, text);
+  v1::Case result;
+  CaseErrors errors;
+  errors.dimension = the_case.dimension();
+  errors.places[""] = "--set";
+  Walk(errors).table(root, "", result);
+  errors.raise();
+  resolve(result);
   check_rules(result, errors);
   errors.raise();
   return result;

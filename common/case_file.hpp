@@ -14,4 +14,8 @@ namespace cosurge {
 /// @throws Error with all errors at once, one line each: "file:line: key: what is wrong, what is allowed".
 v1::Case load_case(const std::string& path, const std::vector<std::string>& overrides = {});
 
+/// A case that was read before, with some of its values changed; files that it names are not read again.
+/// @throws Error with all errors at once.
+v1::Case change_case(const v1::Case& the_case, const std::vector<std::string>& overrides);
+
 }  // namespace cosurge

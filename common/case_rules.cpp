@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "common/error.hpp"
+#include "common/motion_rules.hpp"
 #include "common/outline_rules.hpp"
 #include "common/probe_rules.hpp"
 #include "common/region_rules.hpp"
@@ -248,18 +249,9 @@ void check_fluid(const v1::Case& c, CaseErrors& errors) {
                                                  fluid.re_laplacian(), 2 * fluid.re_gradient()));
 }
 
-void check_motion(const std::string& key, const v1::WallMotion& motion, CaseErrors& errors) {
-  const bool formula = motion.amplitude_size() > 0 || motion.angle() != 0;
-  if (formula && motion.has_table()) errors.add(key, "must have either amplitude and angle, or a table");
-  if (formula && motion.frequency() <= 0)
-    errors.add(key + ".frequency", "must be > 0 [Hz] where there is an amplitude");
-}
-
-void check_motions(const v1::Fluid& fluid, CaseErrors& errors) {
-  check_motion("fluid.tank_motion", fluid.tank_motion(), errors);
+/// Obstacles: water on one side must not see water on the other.
+void check_thickness(const v1::Fluid& fluid, CaseErrors& errors) {
   const double layers = std::ceil(fluid.re_laplacian());
-  for (int i = 0; i < fluid.obstacle_size(); ++i)
-    check_motion(fmt::format("fluid.obstacle.{}.motion", i), fluid.obstacle(i).motion(), errors);
   for (const NamedBox& named : obstacle_boxes(fluid))
     for (int k = 0; k < named.box.min_size(); ++k)
       if (const double side = named.box.max(k) - named.box.min(k); side < (layers - whole) * fluid.spacing())
@@ -351,7 +343,8 @@ void check_rules(const v1::Case& c, CaseErrors& errors) {
                            v1::Coupling::Scheme_Name(scheme)));
   check_scene(c, errors);
   if (c.has_fluid()) check_fluid(c, errors);
-  if (c.has_fluid()) check_motions(c.fluid(), errors);
+  if (c.has_fluid()) check_thickness(c.fluid(), errors);
+  check_motions(c, errors);
   if (c.has_solid()) check_solid(c, errors);
   check_probes(c, errors);
   check_times(c, errors);

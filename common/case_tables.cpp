@@ -145,6 +145,8 @@ void read_tables(v1::Case& c, const std::filesystem::path& folder, CaseErrors& e
     const std::string key = fmt::format("solid.body.{}", i);
     if (body.has_shape())
       attempt(key + ".shape.outline", [&] { read_outline(*body.mutable_shape(), folder, c.dimension()); });
+    if (body.has_motion())
+      attempt(key + ".motion.table", [&] { read_motion(*body.mutable_motion(), folder, c.dimension()); });
     for (int j = 0; j < body.clamp_size(); ++j)
       attempt(fmt::format("{}.clamp.{}.outline", key, j),
               [&] { read_outline(*body.mutable_clamp(j), folder, c.dimension()); });
@@ -158,11 +160,13 @@ void read_tables(v1::Case& c, const std::filesystem::path& folder, CaseErrors& e
     v1::Obstacle& obstacle = *fluid.mutable_obstacle(i);
     attempt(fmt::format("fluid.obstacle.{}.shape.outline", i),
             [&] { read_outline(*obstacle.mutable_shape(), folder, c.dimension()); });
-    attempt(fmt::format("fluid.obstacle.{}.motion.table", i),
-            [&] { read_motion(*obstacle.mutable_motion(), folder, c.dimension()); });
+    if (obstacle.has_motion())
+      attempt(fmt::format("fluid.obstacle.{}.motion.table", i),
+              [&] { read_motion(*obstacle.mutable_motion(), folder, c.dimension()); });
   }
-  attempt("fluid.tank_motion.table",
-          [&] { read_motion(*fluid.mutable_tank_motion(), folder, c.dimension()); });
+  if (fluid.has_tank_motion())
+    attempt("fluid.tank_motion.table",
+            [&] { read_motion(*fluid.mutable_tank_motion(), folder, c.dimension()); });
 }
 
 }  // namespace cosurge

@@ -108,6 +108,13 @@ Vec<dim> Motion<dim>::origin(const Vec<dim>& x, double t) const {
 }
 
 template <int dim>
+Vec<dim> Motion<dim>::velocity(const Vec<dim>& X, double t) const {
+  if (!moves()) return Vec<dim>::Zero();
+  constexpr double dt = 1e-6;  // s: far below any motion's time, far above rounding
+  return (place(X, t + dt) - place(X, t - dt)) / (2 * dt);
+}
+
+template <int dim>
 std::vector<double> Motion<dim>::samples() const {
   if (!row_.empty()) return time_;
   std::vector<double> times = {0};

@@ -24,6 +24,12 @@ class Motion {
   /// The point of the wall at rest that is at x at time t.
   Vec<dim> origin(const Vec<dim>& x, double t) const;
 
+  /// The velocity at time t of the wall's point X [m/s].
+  Vec<dim> velocity(const Vec<dim>& X, double t) const;
+
+  /// The rotation from the start to time t.
+  Mat<dim> turned(double t) const { return rotation(pose(t)[dim]); }
+
   /// A box around all places that the points of `box` ever take, from samples of the motion.
   Box<dim> sweep(const Box<dim>& box) const;
 

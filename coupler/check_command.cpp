@@ -10,6 +10,7 @@
 #include "common/shape.hpp"
 #include "common/solvers.hpp"
 #include "coupler/coupler.hpp"
+#include "coupler/say.hpp"
 
 namespace cosurge {
 namespace {
@@ -57,9 +58,11 @@ double expected_windows(const v1::Case& c) {
 
 void check_command(const std::string& case_path, const std::vector<std::string>& overrides) {
   const v1::Case the_case = load_case(case_path, overrides);
+  say("{}: the case file is valid; setting up the solvers ...\n", the_case.title());
   const auto fluid = the_case.has_fluid() ? make_fluid_solver() : nullptr;
   const auto solid = the_case.has_solid() ? make_solid_solver() : nullptr;
   Coupler coupler(the_case, {.fluid = fluid.get(), .solid = solid.get()});
+  say("  running {} windows to measure their time ...\n", Stopwatch::warm_up + Stopwatch::windows);
   Stopwatch stopwatch;
   coupler.run({&stopwatch}, [&] { return stopwatch.done(); });
   rusage usage{};

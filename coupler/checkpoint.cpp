@@ -15,7 +15,7 @@
 namespace cosurge {
 namespace {
 
-constexpr int layout = 4;  // of states: to be raised whenever what is saved, or its order, changes
+constexpr int layout = 5;  // of states: to be raised whenever what is saved, or its order, changes
 
 std::string signature() { return fmt::format("cosurge checkpoint {}, layout {}", version, layout); }
 
@@ -143,13 +143,14 @@ Checkpoint Checkpoint::read(const std::filesystem::path& folder) {
   return checkpoint;
 }
 
-void CheckpointWriter::write() const {
+void CheckpointWriter::write() {
   Checkpoint{.the_case = case_,
              .time = coupler_.time(),
              .windows = coupler_.windows(),
              .frames = coupler_.frames(),
              .state = coupler_.save()}
       .write(folder_);
+  time_ = coupler_.time();
 }
 
 void replay(const std::filesystem::path& results, const Checkpoint& checkpoint, Recorder& recorder) {

@@ -33,11 +33,13 @@ class CheckpointWriter : public Observer {
 
   void window(const Window&, const Reports&, const std::vector<double>&) override {}
   void frame(double, const std::vector<Snapshot>&) override { write(); }
-  void write() const;
+  void write();
+  double time() const { return time_; }  ///< of the last one [s]
 
  private:
   std::filesystem::path folder_;
   v1::Case case_;
+  double time_ = 0;
   const Coupler& coupler_;
 };
 

@@ -134,11 +134,13 @@ std::string Coupler::save() const {
   return state.take();
 }
 
-void Coupler::restore(const std::string& bytes) {
+void Coupler::restore(const std::string& bytes, bool same_scheme) {
   StateReader state(bytes);
   restore_all_but_scheme(state);
-  scheme_->restore(state);
-  state.finish();
+  if (same_scheme) {
+    scheme_->restore(state);
+    state.finish();
+  }
   began_ = true;  // whoever saved the state has shown the frame at the start
 }
 

@@ -40,9 +40,10 @@ class Coupler {
   bool run(const std::vector<Observer*>& observers, const std::function<bool()>& stop);
 
   /// The state of the whole run between two windows, participants included: a new Coupler of the same case
-  /// that restores it goes on bit for bit.
+  /// that restores it goes on bit for bit. With another scheme than the one that the state was saved with,
+  /// the scheme starts anew.
   std::string save() const;
-  void restore(const std::string& state);
+  void restore(const std::string& state, bool same_scheme = true);
 
   const std::vector<Member>& members() const { return members_; }
   const Interface& interface() const { return interface_; }

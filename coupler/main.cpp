@@ -102,8 +102,14 @@ int main(int argc, char** argv) {
 
   cosurge::RunOptions resume;
   CLI::App* resume_app = app.add_subcommand(
-      "resume", "Go on with a run that was interrupted, failed or was killed, from its last frame");
+      "resume",
+      "Go on with a run that was interrupted, failed or was killed, from its last frame, or beyond its end");
   resume_app->add_option("folder", resume.out, "Folder of its results")->required();
+  resume_app
+      ->add_option("--set", resume.overrides,
+                   "Values in place of the case's, of time, coupling, output.frame_interval, fluid.courant, "
+                   "fluid.pressure and fluid.most_lost (time.end=2 coupling.scheme=strong)")
+      ->take_all();
   add_solvers(*resume_app, resume);
 
   std::string check_path;

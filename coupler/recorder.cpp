@@ -35,9 +35,10 @@ std::string without_prefix(const std::string& name, const std::string& owner) {
 
 Recorder::Recorder(const std::filesystem::path& folder, const v1::Case& the_case,
                    const std::vector<Member>& members, const Interface& interface,
-                   const std::vector<Column>& coupling_columns, const std::string& name)
+                   const std::vector<Column>& coupling_columns, const Provenance& provenance,
+                   const std::string& name)
     : folder_(folder), case_(the_case), members_(members), file_(folder / name) {
-  describe();
+  describe(provenance);
   histories_.emplace_back("time", "s");
   histories_.emplace_back("window", "s");
   for (const Member& member : members_) {
@@ -55,11 +56,14 @@ Recorder::Recorder(const std::filesystem::path& folder, const v1::Case& the_case
   file_.flush();
 }
 
-void Recorder::describe() {
+void Recorder::describe(const Provenance& provenance) {
   file_.describe("format", format);
   file_.describe("cosurge", std::string(version));
   file_.describe("title", case_.title());
   file_.describe("case", as_json(case_));
+  file_.describe("case_file", provenance.case_file);
+  file_.describe("set", fmt::format("{}", fmt::join(provenance.overrides, "\n")));
+  file_.describe("changes", fmt::format("{}", fmt::join(provenance.changes, "\n")));
   file_.describe("date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))));
   for (const Member& member : members_)
     file_.describe(member.name, member.identity.program + " " + member.identity.version);

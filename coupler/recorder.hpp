@@ -8,7 +8,7 @@
 //
 // Every dataset of numbers with a unit says it in the attribute `unit`. Attributes of the root: format,
 // cosurge (version), title, case (JSON, with all defaults), date (UTC), fluid and solid (program and
-// version).
+// version), case_file (where it was), set (values in place of its own), changes (by resumptions).
 #pragma once
 
 #include <chrono>
@@ -18,6 +18,7 @@
 
 #include "coupler/coupler.hpp"
 #include "coupler/history.hpp"
+#include "coupler/provenance.hpp"
 #include "coupler/result_file.hpp"
 #include "coupler/xdmf.hpp"
 
@@ -33,7 +34,7 @@ class Recorder : public Observer {
   /// `name`: of the HDF5 file.
   Recorder(const std::filesystem::path& folder, const v1::Case& the_case, const std::vector<Member>& members,
            const Interface& interface, const std::vector<Column>& coupling_columns,
-           const std::string& name = results_name);
+           const Provenance& provenance = {}, const std::string& name = results_name);
 
   /// One row of the histories. Rows stay in memory until the next frame() or flush().
   void window(const Window& window, const Reports& reports, const std::vector<double>& coupling) override;
@@ -60,7 +61,7 @@ class Recorder : public Observer {
   double wall_seconds() const;           ///< since the recorder was made
 
  private:
-  void describe();
+  void describe(const Provenance& provenance);
   void write_waiting();
   void write_xdmf();
 

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "common/case_file.hpp"
+#include "common/error.hpp"
 #include "common/solvers.hpp"
 #include "coupler/checkpoint.hpp"
 #include "coupler/interruption.hpp"
@@ -15,6 +16,7 @@
 #include "coupler/progress.hpp"
 #include "coupler/recorder.hpp"
 #include "coupler/result_folder.hpp"
+#include "coupler/resumption.hpp"
 #include "coupler/say.hpp"
 #include "coupler/summary.hpp"
 
@@ -100,19 +102,26 @@ class Solvers {
   std::optional<Solver> solid_;
 };
 
+/// What is run: a case from its beginning, or a resumption.
+struct Job {
+  v1::Case the_case;
+  fs::path folder;  // of the results
+  Provenance provenance;
+  const Resumption* resumption = nullptr;
+};
+
 /// The new recorder of a run, with what the checkpoint's run had recorded when it was written.
-std::unique_ptr<Recorder> make_recorder(const fs::path& folder, const v1::Case& the_case,
-                                        const Coupler& coupler, const Checkpoint* checkpoint) {
+std::unique_ptr<Recorder> make_recorder(const Job& job, const Coupler& coupler) {
   const auto make = [&](const std::string& name) {
-    return std::make_unique<Recorder>(folder, the_case, coupler.members(), coupler.interface(),
-                                      coupler.columns(), name);
+    return std::make_unique<Recorder>(job.folder, job.the_case, coupler.members(), coupler.interface(),
+                                      coupler.columns(), job.provenance, name);
   };
-  const fs::path results = folder / Recorder::results_name;
-  if (checkpoint == nullptr) return make(results.filename());
+  const fs::path results = job.folder / Recorder::results_name;
+  if (job.resumption == nullptr) return make(results.filename());
   const fs::path fresh = results.string() + ".new";
   fs::remove(fresh);  // of a resumption that was cut off
   auto recorder = make(fresh.filename());
-  replay(results, *checkpoint, *recorder);
+  replay(results, job.resumption->checkpoint, *recorder);
   recorder->flush();  // also the rows after the last frame: from here on the old file is gone
   fs::rename(fresh, results);
   return recorder;
@@ -128,22 +137,35 @@ void warn_of_deflection(const Recorder& recorder) {
       100 * deflection->max().value, deflection->max().time, 100 * small);
 }
 
+/// How to go on with a run that has not finished. A computation that has broken down would do so again.
+void advise(const fs::path& folder, bool broken_down, double checkpoint_time) {
+  if (broken_down)
+    say("cosurge resume {0} alone would fail at the same window. From t = {1:.6g} s on it may change "
+        "time.window, "
+        "coupling, fluid.courant, fluid.pressure and fluid.most_lost (--set); anything else needs a new "
+        "run\n",
+        folder.string(), checkpoint_time);
+  else
+    say("to go on: cosurge resume {}\n", folder.string());
+}
+
 /// The run once the solvers are there. Returns the exit status.
-int run_with(Solvers& solvers, const v1::Case& the_case, const fs::path& folder,
-             const Checkpoint* checkpoint) {
-  Coupler coupler(the_case, solvers.participants());
-  if (checkpoint != nullptr) coupler.restore(checkpoint->state);
+int run_with(Solvers& solvers, const Job& job) {
+  const auto& [the_case, folder, provenance, resumption] = job;
   say("{}\n", the_case.title());
+  Coupler coupler(the_case, solvers.participants());
+  if (resumption != nullptr) coupler.restore(resumption->checkpoint.state, resumption->same_scheme);
   for (const Member& member : coupler.members())
     say("  {}: {} {}, {} particles\n", member.name, member.identity.program, member.identity.version,
         member.setup.particles);
   say("  results: {}\n", (folder / Recorder::results_name).string());
-  if (checkpoint != nullptr) say("  resumed at t = {:.6g} s\n", checkpoint->time);
+  if (resumption != nullptr) say("  resumed at t = {:.6g} s\n", resumption->checkpoint.time);
 
-  const auto recorder = make_recorder(folder, the_case, coupler, checkpoint);
+  const auto recorder = make_recorder(job, coupler);
   CheckpointWriter checkpoints(folder, the_case, coupler);
   Outcome outcome{.status = "finished", .reason = ""};
   int exit_status = 0;
+  bool broken_down = false;
   try {
     Progress progress(the_case, coupler.members(), coupler.columns(), stdout);
     if (!coupler.run({recorder.get(), &checkpoints, &progress}, interrupted)) {
@@ -157,6 +179,7 @@ int run_with(Solvers& solvers, const v1::Case& the_case, const fs::path& folder,
   } catch (const std::exception& error) {
     outcome = {.status = "failed", .reason = error.what()};
     exit_status = exit_failed;
+    broken_down = dynamic_cast<const NumericalError*>(&error) != nullptr;
   }
   outcome.exchange_seconds = solvers.exchange_seconds();
   solvers.stop(outcome.status == "finished" ? "the run is over" : outcome.reason);
@@ -175,17 +198,16 @@ int run_with(Solvers& solvers, const v1::Case& the_case, const fs::path& folder,
         "passed; take coupling.scheme = \"strong\" or what docs/stability.md has instead\n",
         account.created(), account.passed());
   warn_of_deflection(*recorder);
-  if (exit_status != 0) say("to go on: cosurge resume {}\n", folder.string());
+  if (exit_status != 0) advise(folder, broken_down, checkpoints.time());
   return exit_status;
 }
 
 /// Starts the solvers and runs, from the beginning or from a checkpoint.
-int launch(const RunOptions& options, const v1::Case& the_case, const fs::path& folder,
-           const Checkpoint* checkpoint) {
+int launch(const RunOptions& options, const Job& job) {
   note_interruptions();
   try {
-    Solvers solvers(options, the_case, folder);
-    return run_with(solvers, the_case, folder, checkpoint);
+    Solvers solvers(options, job.the_case, job.folder);
+    return run_with(solvers, job);
   } catch (const std::exception&) {
     if (!interrupted()) throw;
     say("interrupted before the run began\n");
@@ -198,14 +220,18 @@ int launch(const RunOptions& options, const v1::Case& the_case, const fs::path& 
 int run_command(const RunOptions& options) {
   const v1::Case the_case = load_case(options.case_path, options.overrides);
   const ResultFolder folder(options.case_path, options.out);
-  return launch(options, the_case, folder.path(), nullptr);
+  return launch(options, {.the_case = the_case,
+                          .folder = folder.path(),
+                          .provenance = Provenance::of_case(options.case_path, options.overrides)});
 }
 
 int resume_command(const RunOptions& options) {
   const ResultFolder folder = ResultFolder::of_a_run(options.out);
-  const Checkpoint checkpoint = Checkpoint::read(options.out);
-  require(checkpoint.time < checkpoint.the_case.time().end(), "{}: the run is finished", options.out);
-  return launch(options, checkpoint.the_case, folder.path(), &checkpoint);
+  const Resumption resumption = resumption_of(options.out, options.overrides);
+  return launch(options, {.the_case = resumption.checkpoint.the_case,
+                          .folder = folder.path(),
+                          .provenance = resumption.provenance,
+                          .resumption = &resumption});
 }
 
 }  // namespace cosurge

@@ -23,7 +23,7 @@ struct RunOptions {
 int run_command(const RunOptions& options);
 
 /// Goes on with the run in the folder options.out from its checkpoint, to the same bits as if it had never
-/// ended; case and overrides are the checkpoint's. Returns and throws as run_command().
+/// ended, or with some values changed (options.overrides). Returns and throws as run_command().
 int resume_command(const RunOptions& options);
 
 }  // namespace cosurge

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/error.hpp"
+
 namespace cosurge {
 namespace {
 
+constexpr double rounding_of_quotient = 1e-12;
 constexpr double rounding = 1e-9;  // of a window: how far times may be off by the rounding of sums
 
 }  // namespace
@@ -14,24 +17,29 @@ WindowSchedule::WindowSchedule(const v1::Case& the_case)
     : time_table_(the_case.time()), frame_interval_(the_case.output().frame_interval()) {}
 
 double WindowSchedule::landing() const {
-  return std::min(time_table_.end(), static_cast<double>(frames_ + 1) * frame_interval_);
+  // Time is exactly that of a frame, or between two; the end of an earlier case may lie between two.
+  const double passed = std::floor(time_ / frame_interval_ + rounding_of_quotient);
+  return std::min(time_table_.end(), (passed + 1) * frame_interval_);
 }
 
 Window WindowSchedule::next(double largest) const {
   const double size = time_table_.window();
   if (time_table_.stepping() == v1::Time::fixed)
-    return {.index = index_, .start = static_cast<double>(index_) * size, .size = size};
+    return {.index = index_,
+            .start = static_cast<double>(static_cast<std::int64_t>(index_) - surplus_) * size,
+            .size = size};
   const double left = landing() - time_;
   const double parts = std::max(1.0, std::ceil(left / std::min(size, largest) - rounding));
   return {.index = index_, .start = time_, .size = left / parts};
 }
 
 void WindowSchedule::complete(const Window& window) {
+  const double next = landing();
   ++index_;
   time_ = window.start + window.size;
-  at_frame_ = time_ > landing() - rounding * window.size;
+  at_frame_ = time_ > next - rounding * window.size;
   if (!at_frame_) return;
-  time_ = landing();
+  time_ = next;
   finished_ = time_ >= time_table_.end();
   ++frames_;
 }
@@ -50,6 +58,13 @@ void WindowSchedule::restore(StateReader& state) {
   state.get(frames_);
   state.get(at_frame_);
   state.get(finished_);
+  finished_ = time_ >= time_table_.end();
+  if (time_table_.stepping() != v1::Time::fixed) return;
+  const double size = time_table_.window(), windows = std::round(time_ / size);
+  require(std::abs(windows - time_ / size) < 1e-6,
+          "time.window: the run stands at t = {:.9g} s, which is no whole number of fixed windows of {} s",
+          time_, size);
+  surplus_ = static_cast<std::int64_t>(index_) - static_cast<std::int64_t>(windows);
 }
 
 }  // namespace cosurge

@@ -20,6 +20,9 @@ class WindowSchedule {
   void complete(const Window& window);
 
   void save(StateWriter& state) const;
+
+  /// Of a case whose windows, frames and end may have been others.
+  /// @throws Error where fixed windows do not reach the time that is restored.
   void restore(StateReader& state);
 
   double time() const { return time_; }
@@ -35,6 +38,7 @@ class WindowSchedule {
   double frame_interval_;
   double time_ = 0;
   std::uint64_t index_ = 0;
+  std::int64_t surplus_ = 0;  // windows so far less fixed windows of this case in that time
   std::uint64_t frames_ = 0;  // landings passed
   bool at_frame_ = true;
   bool finished_ = false;

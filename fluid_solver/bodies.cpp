@@ -9,17 +9,11 @@
 namespace cosurge::fluid {
 namespace {
 
-/// Area of the faces of a site's cell that no material and no wall covers, towards either side of each axis.
+/// Area of the faces of a site's cell that neither its body, nor clamps, nor the tank cover.
 template <int dim>
-struct WetFaces {
-  Vec<dim> below = Vec<dim>::Zero();
-  Vec<dim> above = Vec<dim>::Zero();
-};
-
-template <int dim>
-WetFaces<dim> wet_faces(const Vec<dim>& x, const BodySites<dim>& body, const std::vector<Shape<dim>>& clamps,
-                        const Box<dim>& tank, double spacing) {
-  WetFaces<dim> wet;
+LatticeFaces<dim> wet_faces(const Vec<dim>& x, const BodySites<dim>& body,
+                            const std::vector<Shape<dim>>& clamps, const Box<dim>& tank, double spacing) {
+  LatticeFaces<dim> wet{.below = Vec<dim>::Zero(), .above = Vec<dim>::Zero()};
   for (int axis = 0; axis < dim; ++axis) {
     for (const double side : {-1.0, 1.0}) {
       Vec<dim> across = x;
@@ -44,9 +38,9 @@ Bodies<dim>::Bodies(const v1::Solid& solid, const Box<dim>& tank, double spacing
     const std::vector<Shape<dim>> clamps(body.clamp().begin(), body.clamp().end());
     for (const Vec<dim>& x : sites.all()) {
       position_.push_back(x);
-      const WetFaces<dim> wet = wet_faces(x, sites, clamps, tank, spacing);
+      const LatticeFaces<dim> wet = wet_faces(x, sites, clamps, tank, spacing);
       area_.push_back(wet.above - wet.below);
-      faces_.push_back(wet.above + wet.below);
+      faces_.push_back(wet);
       body_.push_back(b);
     }
   }
@@ -100,18 +94,34 @@ template <int dim>
 Faces<dim> Bodies<dim>::deformed(const Field& displacement) const {
   Faces<dim> faces{.area = area_,
                    .spread = std::vector<Mat<dim>>(position_.size(), Mat<dim>::Zero()),
-                   .normal = std::vector<Vec<dim>>(position_.size(), Vec<dim>::Zero())};
+                   .normal = std::vector<Vec<dim>>(position_.size(), Vec<dim>::Zero()),
+                   .cofactor = std::vector<Mat<dim>>(position_.size(), Mat<dim>::Zero()),
+                   .open = std::vector<char>(position_.size(), 0)};
   for (int k = 0; k < points(); ++k) {
     if (!wet(k)) continue;
-    const Mat<dim> J = cofactor(k, displacement);
-    faces.area[k] = J * area_[k];
-    faces.normal[k] = faces.area[k].normalized();
-    for (int axis = 0; axis < dim; ++axis)
-      faces.spread[k] += faces_[k][axis] / J.col(axis).norm() * J.col(axis) * J.col(axis).transpose();
+    faces.cofactor[k] = cofactor(k, displacement);
+    faces.normal[k] = (faces.cofactor[k] * area_[k]).normalized();
   }
+  set_open(std::vector<Openness<dim>>(position_.size()), faces);
   for (int k = 0; k < points(); ++k)
     if (!wet(k) && nearest_wet_[k] >= 0) faces.normal[k] = faces.normal[nearest_wet_[k]];
   return faces;
+}
+
+template <int dim>
+void Bodies<dim>::set_open(const std::vector<Openness<dim>>& open, Faces<dim>& faces) const {
+  for (int k = 0; k < points(); ++k) {
+    if (!wet(k)) continue;
+    const Mat<dim>& J = faces.cofactor[k];
+    const Vec<dim> below = faces_[k].below.cwiseProduct(open[k].below),
+                   above = faces_[k].above.cwiseProduct(open[k].above);
+    faces.open[k] = (above + below).isZero() ? 0 : 1;
+    faces.area[k] = J * (above - below);
+    faces.spread[k].setZero();
+    for (int axis = 0; axis < dim; ++axis)
+      faces.spread[k] +=
+          (above[axis] + below[axis]) / J.col(axis).norm() * J.col(axis) * J.col(axis).transpose();
+  }
 }
 
 template <int dim>

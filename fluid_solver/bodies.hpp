@@ -8,6 +8,18 @@
 
 namespace cosurge::fluid {
 
+/// Areas or shares of the faces of a site's cell, towards either side of each axis.
+template <int dim>
+struct LatticeFaces {
+  Vec<dim> below, above;
+};
+
+/// Share of each face of a site's cell that water can reach.
+template <int dim>
+struct Openness : LatticeFaces<dim> {
+  Openness() : LatticeFaces<dim>{.below = Vec<dim>::Ones(), .above = Vec<dim>::Ones()} {}
+};
+
 /// The deformed surface, by point of the bodies.
 template <int dim>
 struct Faces {
@@ -20,6 +32,8 @@ struct Faces {
   std::vector<Mat<dim>> spread;
   /// Unit normals, towards the water; of inner points that of the nearest wet point.
   std::vector<Vec<dim>> normal;
+  std::vector<Mat<dim>> cofactor;  ///< J F^-T of wet points
+  std::vector<char> open;          ///< whether water can reach the point
 };
 
 /// Reference points of all bodies and their neighbours within each body, for the deformation of the surface.
@@ -30,11 +44,14 @@ class Bodies {
 
   /// Points on the sites of the bodies. Area vectors count the missing lattice faces, A_0 = l0^(d-1) sum of
   /// face normals, eq. (14); faces towards a clamp or out of `tank` are not wet. So the areas of a body that
-  /// is wet all around add up to zero and uniform pressure gives no net force.
+  /// is wet all around add up to zero and uniform pressure gives no net force. Faces towards obstacles and
+  /// other bodies are wet as soon as there is a gap (CoveredFaces).
   Bodies(const v1::Solid& solid, const Box<dim>& tank, double spacing);
 
   int points() const { return static_cast<int>(position_.size()); }
   const Vec<dim>& position(int k) const { return position_[static_cast<std::size_t>(k)]; }
+  int body(int k) const { return body_[static_cast<std::size_t>(k)]; }
+  /// Whether the point has a face that neither its body, nor clamps, nor the tank cover where it is drawn.
   bool wet(int k) const { return !area_[static_cast<std::size_t>(k)].isZero(); }
 
   /// The point whose velocity the water sees in point k: the nearest wet one. So a body that is compressed
@@ -44,8 +61,14 @@ class Bodies {
     return nearest >= 0 ? nearest : k;
   }
 
-  /// The surface that `displacement` (dimension x points [m]) has deformed.
+  /// Areas of its wet lattice faces where it is drawn.
+  const LatticeFaces<dim>& lattice_faces(int k) const { return faces_[static_cast<std::size_t>(k)]; }
+
+  /// The surface that `displacement` (dimension x points [m]) has deformed; all of it is open to the water.
   Faces<dim> deformed(const Field& displacement) const;
+
+  /// Leaves of the areas what is open to the water.
+  void set_open(const std::vector<Openness<dim>>& open, Faces<dim>& faces) const;
 
   Interface interface() const;
 
@@ -55,8 +78,8 @@ class Bodies {
   Mat<dim> cofactor(int k, const Field& displacement) const;
 
   std::vector<Vec<dim>> position_;
-  std::vector<Vec<dim>> area_;   // A_0
-  std::vector<Vec<dim>> faces_;  // area of the wet lattice faces across each axis, without sign
+  std::vector<Vec<dim>> area_;            // A_0
+  std::vector<LatticeFaces<dim>> faces_;  // areas of the wet lattice faces
   std::vector<int> nearest_wet_;
   std::vector<int> body_;
   std::vector<int> neighbor_begin_;  // of each point, and the end

@@ -6,6 +6,7 @@
 #include "fluid_solver/gauges.hpp"
 #include "fluid_solver/lost_water.hpp"
 #include "fluid_solver/mps.hpp"
+#include "fluid_solver/water_level.hpp"
 
 namespace cosurge::fluid {
 
@@ -84,6 +85,7 @@ class FluidParticipant::SceneOf : public Scene {
     for (const double seconds : mps_.clock().seconds()) report.values.push_back(seconds);
     report.values.push_back(cpu_seconds() - cpu_start_);
     for (const double value : lost_water_.values()) report.values.push_back(value);
+    if (has_levels_) parts_ = connected_water(mps_, spacing());
     for (const auto& gauge : gauges_) report.values.push_back(gauge(surface));
     report.window = step.max_window;
     return report;
@@ -149,7 +151,9 @@ class FluidParticipant::SceneOf : public Scene {
         return;
       case v1::Probe::level:
         columns.push_back({probe.name(), "m"});
-        gauges_.push_back([this, x, floor](const Surface&) { return level_at(mps_, x, floor, spacing()); });
+        has_levels_ = true;
+        gauges_.push_back(
+            [this, x, floor](const Surface&) { return level_at(mps_, parts_, x, floor, spacing()); });
         return;
       case v1::Probe::force:
         for (int axis = 0; axis < dim; ++axis) {
@@ -169,6 +173,8 @@ class FluidParticipant::SceneOf : public Scene {
   Mps<dim> mps_;
   LostWater<dim> lost_water_;
   std::vector<std::function<double(const Surface&)>> gauges_;  // of the probes, a column each
+  WaterParts parts_;                                           // for levels, of this window
+  bool has_levels_ = false;
   double cpu_start_ = cpu_seconds();
 };
 

@@ -2,44 +2,13 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
-#include <numbers>
 
 #include "common/error.hpp"
 #include "common/ordered_sum.hpp"
+#include "fluid_solver/particles_around.hpp"
 #include "fluid_solver/snap_to_face.hpp"
 
 namespace cosurge::fluid {
-namespace {
-
-/// Calls visit(j, x_j - x, |x_j - x|) for the particles within r_e of a point in the domain.
-template <int dim, typename Visit>
-void each_around(const Mps<dim>& mps, const Vec<dim>& x, Visit&& visit) {
-  const CellGrid<dim>& grid = mps.neighbors().grid();
-  const CellIndex<dim> cell = grid.cell_of(x);
-  if ((cell.array() < 0).any() || (cell.array() >= grid.counts().array()).any()) return;
-  grid.ranges(cell, 1, [&](std::int32_t first, std::int32_t last) {
-    for (std::int32_t j = first; j < last; ++j) {
-      const Vec<dim> way = mps.particles().x[j] - x;
-      if (const double r = way.norm(); r < mps.neighbors().re()) visit(j, way, r);
-    }
-  });
-}
-
-/// The last coordinate of the highest water within r_e of the vertical line through x, or `floor`.
-template <int dim>
-double highest_near(const Mps<dim>& mps, const Vec<dim>& x, double floor) {
-  const Particles<dim>& particles = mps.particles();
-  double highest = floor;
-  for (int i = 0; i < particles.size(); ++i) {
-    const double aside = (particles.x[i] - x).template head<dim - 1>().norm();
-    if (particles.kind[i] == Kind::fluid && aside < mps.neighbors().re())
-      highest = std::max(highest, particles.x[i][dim - 1]);
-  }
-  return highest;
-}
-
-}  // namespace
-
 template <int dim>
 SurfacePressureProbe<dim>::SurfacePressureProbe(const std::string& name, const Vec<dim>& position,
                                                 const Interface& interface, double spacing) {
@@ -95,29 +64,6 @@ double pressure_at(const Mps<dim>& mps, const Vec<dim>& x) {
 }
 
 template <int dim>
-double level_at(const Mps<dim>& mps, const Vec<dim>& x, double floor, double spacing) {
-  const double re = mps.neighbors().re();
-  // Integral of (1 - r / r_e)^2 over the support, in particles.
-  const double full = (dim == 2 ? 1.0 / 6 : 2.0 / 15) * std::numbers::pi * std::pow(re / spacing, dim);
-  const auto share = [&](double height) {
-    Vec<dim> at = x;
-    at[dim - 1] = height;
-    double water = 0;
-    double others = 0;
-    each_around(mps, at, [&](int j, const Vec<dim>&, double r) {
-      (mps.particles().kind[j] == Kind::fluid ? water : others) += (1 - r / re) * (1 - r / re);
-    });
-    return water / std::max(full - others, 0.3 * full);  // next to a wall half is left
-  };
-  const double step = 0.5 * spacing;
-  double above = highest_near(mps, x, floor) + re;
-  while (above > floor && share(above - step) < 0.5) above -= step;
-  if (above <= floor) return floor;
-  const double high = share(above);
-  return above - step * (0.5 - high) / (share(above - step) - high);
-}
-
-template <int dim>
 WaterState survey_water(const Mps<dim>& mps, double particle_mass, double spacing, const Vec<dim>& gravity) {
   const Particles<dim>& particles = mps.particles();
   const auto is_fluid = [&](int i) { return particles.kind[i] == Kind::fluid; };
@@ -151,8 +97,6 @@ template class SurfacePressureProbe<2>;
 template class SurfacePressureProbe<3>;
 template double pressure_at<2>(const Mps<2>&, const Vec<2>&);
 template double pressure_at<3>(const Mps<3>&, const Vec<3>&);
-template double level_at<2>(const Mps<2>&, const Vec<2>&, double, double);
-template double level_at<3>(const Mps<3>&, const Vec<3>&, double, double);
 template WaterState survey_water<2>(const Mps<2>&, double, double, const Vec<2>&);
 template WaterState survey_water<3>(const Mps<3>&, double, double, const Vec<3>&);
 

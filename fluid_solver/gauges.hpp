@@ -26,11 +26,6 @@ class SurfacePressureProbe {
 template <int dim>
 double pressure_at(const Mps<dim>& mps, const Vec<dim>& x);
 
-/// Height of the free surface on the vertical line through x [m]: the highest point where water fills half of
-/// what walls and bodies leave of the support, so that spray does not count. Not below `floor` [m].
-template <int dim>
-double level_at(const Mps<dim>& mps, const Vec<dim>& x, double floor, double spacing);
-
 struct WaterState {
   double kinetic_energy = 0;  ///< [J] (per metre of width in two dimensions)
   double gravity_energy = 0;  ///< [J], zero at the origin

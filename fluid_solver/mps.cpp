@@ -178,14 +178,15 @@ void Mps<dim>::set_body_velocity(const Field& velocity) {
 template <int dim>
 void Mps<dim>::load(Surface& surface) const {
   for (int k = 0; k < bodies_.points(); ++k) {
-    if (!bodies_.wet(k)) {
+    if (particles_.kind[body_place_[k]] != Kind::body_surface) {
       surface.pressure[k] = 0;
       surface.force.col(k).setZero();
       continue;
     }
     const double p = particles_.p[body_place_[k]];
     surface.force.col(k) = -p * faces_.area[k] + face_load_[k];
-    surface.pressure[k] = p - face_load_[k].dot(faces_.normal[k]) / faces_.area[k].norm();
+    const double area = faces_.area[k].norm();
+    surface.pressure[k] = area > 0 ? p - face_load_[k].dot(faces_.normal[k]) / area : p;
   }
 }
 
@@ -200,7 +201,7 @@ void Mps<dim>::set_face_load() {
   const double full = open_surface() ? change.norm() : 0;
   face_load_.assign(static_cast<std::size_t>(bodies_.points()), Vec<dim>::Zero());
   for (int k = 0; k < bodies_.points() && full > 0; ++k) {
-    if (!bodies_.wet(k)) continue;
+    if (particles_.kind[body_place_[k]] != Kind::body_surface) continue;
     const double wetness = std::clamp(particles_.p[body_place_[k]] / full, 0.0, 1.0);
     face_load_[k] = -wetness * (faces_.spread[k] * change);
   }
@@ -227,11 +228,29 @@ void Mps<dim>::search_neighbors(double time) {
   for (int i = 0; i < particles_.size(); ++i)
     if (particles_.kind[i] == Kind::fluid && walls_.outside(particles_.x[i], time))
       particles_.x[i] = nowhere_;
+  for (int i = 0; i < particles_.size(); ++i)
+    if (particles_.kind[i] == Kind::body_inner && bodies_.wet(particles_.id[i] - first_body_id_))
+      particles_.kind[i] = Kind::body_surface;
   neighbors_.rebuild(particles_);
   locate_bodies();
+  close_covered_faces();
   covers_ = cover_walls(particles_, neighbors_, walls_, parameters_.spacing());
   if (!open_surface()) covers_.clear();  // eq. (10) has walls at rest there
   follow_covers(particles_, covers_);
+}
+
+/// Points that a wall or another body covers are inner ones as long as it does.
+template <int dim>
+void Mps<dim>::close_covered_faces() {
+  if (faces_.area.empty()) return;
+  bodies_.set_open(
+      covered_faces_.find(bodies_, faces_, body_place_, particles_, neighbors_, parameters_.spacing()),
+      faces_);
+  for (int k = 0; k < bodies_.points(); ++k) {
+    const int i = body_place_[k];
+    areas_[i] = faces_.area[k];
+    if (bodies_.wet(k) && faces_.open[k] == 0) particles_.kind[i] = Kind::body_inner;
+  }
 }
 
 template <int dim>

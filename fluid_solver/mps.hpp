@@ -7,8 +7,9 @@
 #include "common/phase_clock.hpp"
 #include "fluid_solver/added_mass.hpp"
 #include "fluid_solver/bodies.hpp"
-#include "fluid_solver/covered_walls.hpp"
 #include "fluid_solver/collision.hpp"
+#include "fluid_solver/covered_faces.hpp"
+#include "fluid_solver/covered_walls.hpp"
 #include "fluid_solver/density.hpp"
 #include "fluid_solver/pressure/poisson_equation.hpp"
 #include "fluid_solver/pressure/source.hpp"
@@ -77,6 +78,7 @@ class Mps {
   void predict(double start, double dt);
   void search_neighbors(double time);
   void locate_bodies();
+  void close_covered_faces();
   void diffuse_and_collide(double dt);
   void find_free_surface();
   void set_source(double dt);
@@ -105,6 +107,7 @@ class Mps {
   ReferenceValues reference_;  // of the small radius
   Walls<dim> walls_;
   Bodies<dim> bodies_;
+  CoveredFaces<dim> covered_faces_;
   Particles<dim> particles_;
   int initial_size_ = 0;
   Neighbors<dim> neighbors_;

@@ -16,6 +16,7 @@ void Mps<dim>::each_field(Self& self, Visit&& visit) {
   visit(self.particles_.id);
   visit(self.particles_.free_surface);
   visit(self.faces_.area);
+  visit(self.covered_faces_.film());
   visit(self.max_body_speed_);
 }
 

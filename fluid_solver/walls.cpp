@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "common/carriers.hpp"
 #include "common/error.hpp"
 #include "fluid_solver/fitted_layout.hpp"
 
@@ -37,7 +38,7 @@ Walls<dim>::Walls(const v1::Fluid& fluid, int dummy_layers, bool slip)
   parts_.push_back(tank_part());
   for (const v1::Obstacle& obstacle : fluid.obstacle()) {
     const Shape<dim> shape(obstacle.shape());
-    parts_.push_back(obstacle_part(obstacle, shape));
+    parts_.push_back(obstacle_part(fluid, obstacle, shape));
     obstacles_.push_back(shape);
   }
   if (slip) return;
@@ -84,10 +85,16 @@ auto Walls<dim>::tank_part() const -> Part {
 }
 
 template <int dim>
-auto Walls<dim>::obstacle_part(const v1::Obstacle& obstacle, const Shape<dim>& shape) const -> Part {
+auto Walls<dim>::obstacle_part(const v1::Fluid& fluid, const v1::Obstacle& obstacle,
+                               const Shape<dim>& shape) const -> Part {
   constexpr double nearest = 0.7;  // spacings to particles of the tank and of obstacles before
-  Part part{.place = {}, .normal = {}, .kind = {}, .motion = Motion<dim>(obstacle.motion())};
-  const bool moves = part.motion.moves() || tank_motion_.moves();
+  Part part{.place = {},
+            .normal = {},
+            .kind = {},
+            .motion = Motion<dim>(motion_of(fluid, obstacle)),
+            .with_tank = !obstacle.has_motion()};
+  if (!part.motion.moves() && !tank_motion_.moves()) part.with_tank = true;
+  const bool moves = !part.with_tank;
   const PointHash<dim> others = particles_near(shape.bounds());
   const std::optional<Box<dim>> tank = moves ? std::nullopt : std::optional(tank_);
   for (const auto& [x, kind] : fitted_layout(shape, tank, dummy_layers_, spacing_)) {
@@ -153,7 +160,7 @@ std::size_t Walls<dim>::part_of(std::int32_t id) const {
 template <int dim>
 bool Walls<dim>::moves_in_tank(std::int32_t id) const {
   const std::size_t part = part_of(id);
-  return part > 0 && parts_[part].motion.moves();
+  return part > 0 && !parts_[part].with_tank;
 }
 
 template <int dim>
@@ -210,14 +217,14 @@ void Walls<dim>::require_room(double t) const {
 template <int dim>
 void Walls<dim>::require_room(std::ptrdiff_t obstacle, const Vec<dim>& x, double t) const {
   const double deep = 0.25 * spacing_;
-  const auto moves = [&](std::ptrdiff_t k) { return parts_[static_cast<std::size_t>(k)].motion.moves(); };
+  const auto part = [&](std::ptrdiff_t k) -> const Part& { return parts_[static_cast<std::size_t>(k + 1)]; };
   const auto refuse = [&](const std::string& what) {
     throw NumericalError(
         fmt::format("fluid.obstacle.{} {} at t = {:.4g} s, at ({:.4g}): shorten the motion, or leave "
                     "room for it",
                     obstacle, what, t, fmt::join(x, ", ")));
   };
-  if (moves(obstacle + 1) || tank_motion_.moves()) {
+  if (!part(obstacle).with_tank) {
     const Vec<dim> at = tank_motion_.moves() ? tank_motion_.origin(x, t) : x;
     const Vec<dim> below = tank_.min - at, beyond = at - tank_.max;
     const double depth = std::max(below.maxCoeff(), beyond.template head<dim - 1>().maxCoeff());
@@ -226,9 +233,10 @@ void Walls<dim>::require_room(std::ptrdiff_t obstacle, const Vec<dim>& x, double
                                      : "has moved into a side wall of the tank");
   }
   for (std::ptrdiff_t other = 0; other < obstacle; ++other) {
-    if (!moves(obstacle + 1) && !moves(other + 1)) continue;
+    if (part(obstacle).with_tank && part(other).with_tank) continue;
+    if (!part(obstacle).motion.moves() && !part(other).motion.moves()) continue;
     const Shape<dim>& shape = obstacles_[static_cast<std::size_t>(other)];
-    const Vec<dim> at = parts_[static_cast<std::size_t>(other + 1)].motion.origin(x, t);
+    const Vec<dim> at = part(other).motion.origin(x, t);
     if (shape.contains(at) && (shape.nearest(at) - at).norm() > deep)
       refuse(fmt::format("and fluid.obstacle.{} have moved into each other", other));
   }

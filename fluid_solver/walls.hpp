@@ -15,8 +15,8 @@ class Walls {
   /// corners filled, open at the top (the last coordinate). Obstacles: their outermost layer has pressure,
   /// those with an outline are laid out parallel to it.
   /// They may overlap each other and go into floor and side walls: a site counts once, as the tank's, or as
-  /// the first obstacle's that has it. What of an obstacle lies in the tank's walls at the start does not
-  /// move with it.
+  /// the first obstacle's that has it. Obstacles move with the tank, or as their own motion says; what of
+  /// these lies in the tank's walls at the start does not move with them.
   /// @param slip whether particles have the normals of their faces, along which water slides; else zero
   Walls(const v1::Fluid& fluid, int dummy_layers, bool slip = true);
 
@@ -33,7 +33,7 @@ class Walls {
   /// Whether the wall particle with this id is the tank's.
   bool of_tank(std::int32_t id) const { return part_of(id) == 0; }
 
-  /// Whether the wall particle with this id belongs to an obstacle with a motion of its own.
+  /// Whether the wall particle with this id belongs to an obstacle that does not move with the tank.
   bool moves_in_tank(std::int32_t id) const;
 
   /// Puts the walls that move where they are at time `end`, with their mean velocity over `dt` before. Those
@@ -63,6 +63,7 @@ class Walls {
     std::vector<Vec<dim>> normal;  // of the face they lie behind, at the start, towards the water
     std::vector<Kind> kind;
     Motion<dim> motion;
+    bool with_tank = true;  // it moves as the tank does
     std::int32_t first_id = 0;
   };
 
@@ -71,7 +72,7 @@ class Walls {
   void require_room(std::ptrdiff_t obstacle, const Vec<dim>& x, double t) const;
   Vec<dim> tank_normal(const Vec<dim>& x) const;
   Part tank_part() const;
-  Part obstacle_part(const v1::Obstacle& obstacle, const Shape<dim>& shape) const;
+  Part obstacle_part(const v1::Fluid& fluid, const v1::Obstacle& obstacle, const Shape<dim>& shape) const;
   PointHash<dim> particles_near(const Box<dim>& box) const;
 
   Box<dim> tank_;

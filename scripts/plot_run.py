@@ -2,14 +2,18 @@
 """Pictures of a run, from its results.h5: scripts/plot_run.py FOLDER [--out DIR] [--case DIR]
 
 snapshots.png  the water by pressure and the structure at six instants
-tip.png        displacement probes; published curves beside them where the case folder has some (reference/*.csv)
-front.png      front of the water on the floor, where the case folder has published fronts
+tip.png        displacement probes
+front.png      front of the water on the floor, where the case folder has published fronts (columns t, z)
 pressure.png   pressure probes, raw and low-passed, and their spectra
 level.png      level probes
 energy.png     kinetic, potential and elastic energy, and the work through the interface
 timing.png     where the wall time went
 
 Works while the run goes on, and for runs of a fluid or a solid alone. What a run does not have is left out.
+
+Reference curves are the tables reference/*.csv of the run's own case folder, which the results name. Their first
+column is t_s; the second says what they are: ux_m, uy_m, uz_m of every displacement probe, or a probe's own history with its unit
+(tip_y_m, P01_Pa, gauge_m).
 """
 import argparse
 from pathlib import Path
@@ -29,8 +33,9 @@ def main():
     out.mkdir(parents=True, exist_ok=True)
     case_folder = arguments.case or recorded.find_case_folder(run)
     pictures = {"snapshots": snapshots.snapshots(run), "tip": histories.tip(run, case_folder),
-                "front": histories.front(run, case_folder), "pressure": histories.pressure(run),
-                "level": histories.level(run), "energy": histories.energy(run), "timing": timing.timing(run)}
+                "front": histories.front(run, case_folder), "pressure": histories.pressure(run, case_folder),
+                "level": histories.level(run, case_folder), "energy": histories.energy(run),
+                "timing": timing.timing(run)}
     for name, figure in pictures.items():
         if figure is not None:
             figure.savefig(out / f"{name}.png")

@@ -26,6 +26,13 @@ struct NodalMode {
   double omega_squared = 0;  ///< [1/s2]; 0 where nothing holds the body
 };
 
+/// Where the nodes of a model are where the bodies are undeformed, and which body is whose.
+struct NodeLayout {
+  Field position;                  ///< of the nodes, dimension x nodes [m]
+  std::vector<int> body;           ///< of each node
+  std::vector<int> particle_body;  ///< of each particle of a frame
+};
+
 struct Energies {
   double kinetic = 0;  ///< [J], per metre of width in two dimensions
   double elastic = 0;  ///< [J]
@@ -74,6 +81,12 @@ class SolidModel {
   /// M^-1 f: what loads on the nodes [N] accelerate them by where nothing else acts, about the undeformed
   /// bodies [m/s2]; held nodes by nothing.
   virtual Field acceleration_by(const Field& load) const = 0;
+
+  virtual NodeLayout layout() const = 0;
+
+  /// M a: the forces on the nodes that give them an acceleration, dimension x nodes; those of held nodes
+  /// count among the accelerations [N].
+  virtual Field inertia(const Field& acceleration) const = 0;
 
   /// Where in a sub-step, as a share of it, displacements go on with the present velocity until a force that
   /// depends on them and is held over the sub-step neither gives nor takes energy (S45).

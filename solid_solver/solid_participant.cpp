@@ -8,6 +8,7 @@
 #include "common/solvers.hpp"
 #include "common/state_bytes.hpp"
 #include "common/version.hpp"
+#include "solid_solver/carried_model.hpp"
 #include "solid_solver/contact/contact_model.hpp"
 #include "solid_solver/models/make_model.hpp"
 #include "solid_solver/oscillator.hpp"
@@ -35,7 +36,8 @@ Identity SolidParticipant::identity() const {
 
 Setup SolidParticipant::initialize(const v1::Case& the_case, Interface& interface, Surface& surface) {
   cpu_seconds_at_start_ = cpu_seconds();
-  model_ = contact::with_contact(make_model(the_case), the_case, solid_spacing(the_case));
+  model_ =
+      contact::with_contact(with_carriers(make_model(the_case), the_case), the_case, solid_spacing(the_case));
   dimension_ = the_case.dimension();
   ramped_ = the_case.coupling().load() == v1::Coupling::ramped;
   end_velocity_ = the_case.coupling().velocity() == v1::Coupling::end;

@@ -8,41 +8,52 @@ from plots.low_pass import CUT_OFF, low_passed
 from plots.style import plt
 
 
-def reference_curves(case_folder, columns):
-    """Curves of reference/*.csv with these columns, by a name made from the file's."""
+def reference_curves(case_folder, *wanted):
+    """Curves of reference/*.csv that have one of these pairs of columns, by a name made from the file's."""
     curves = {}
     for path in sorted(case_folder.glob("reference/*.csv")) if case_folder else []:
         with open(path, newline="") as file:
             rows = list(csv.reader(file))
-        if [name.strip() for name in rows[0]] == columns:
+        if tuple(name.strip() for name in rows[0]) in wanted:
             name, letter = re.fullmatch(r"(.*?)(_[a-z])?", path.stem).groups()
             name = name.replace("_", " ").title() + (f" ({letter[1]})" if letter else "")
             curves[name] = np.array(rows[1:], float).T
     return curves
 
 
+def draw_references(axes, curves, factor, label="{}", first=0):
+    """Thin lines, coloured from the colour `first` on; returns their number."""
+    colors = plt.get_cmap("tab10").colors
+    for k, (name, (t, values)) in enumerate(curves.items(), first):
+        axes.plot(t, factor * values, color=colors[k % 10], lw=0.9, alpha=0.75, ls=("-", "--")[k // 10 % 2],
+                  label=label.format(name))
+    return len(curves)
+
+
 def tip(run, case_folder):
     probes = [p for p in run.probes("displacement") if f"solid/{p['name']}_x" in run.history]
     if not probes or not len(run.time):
         return None
-    references = reference_curves(case_folder, ["t_s", "ux_m"])
     figure, grid = plt.subplots(len(probes), 1, squeeze=False, layout="constrained", figsize=(9, 4.4 * len(probes)))
     for axes, probe in zip(grid.flat, probes):
-        colors = plt.get_cmap("tab10").colors
-        for k, (name, (t, x)) in enumerate(references.items()):
-            axes.plot(t, 1000 * x, color=colors[k % 10], lw=0.9, alpha=0.75, ls=("-", "--")[k // 10 % 2], label=name)
+        curves = 0
+        for direction in "xyz":
+            own = f"{probe['name']}_{direction}_m"
+            references = reference_curves(case_folder, ("t_s", f"u{direction}_m"), ("t_s", own))
+            label = "{}" if direction == "x" else "{}, " + direction
+            curves += draw_references(axes, references, 1000, label, curves)
         for direction, color in (("x", "black"), ("y", "0.5"), ("z", "0.75")):
             values = run.history.get(f"solid/{probe['name']}_{direction}")
             if values is not None:
                 label = f"this run, {direction}"
                 axes.plot(run.time, 1000 * values, color=color, lw=2 if direction == "x" else 1.2, label=label)
         axes.set(xlabel="t [s]", ylabel="displacement [mm]", title=f"{run.title}: {probe['name']}", xlim=(0, None))
-        axes.legend(fontsize=8, ncols=2 if references else 1)
+        axes.legend(fontsize=8, ncols=2 if curves else 1)
     return figure
 
 
 def front(run, case_folder):
-    references = reference_curves(case_folder, ["t", "z"])
+    references = reference_curves(case_folder, ("t", "z"))
     column = run.case["fluid"]["water"][0] if "fluid/front" in run.history else {}
     if not references or "max" not in column:
         return None
@@ -67,7 +78,7 @@ def evenly(run, values):
     return times, np.interp(times, run.time, values), 1 / step
 
 
-def pressure(run):
+def pressure(run, case_folder):
     probes = [p for p in run.probes("pressure") if f"fluid/{p['name']}" in run.history]
     if not probes or len(run.time) < 50:
         return None
@@ -76,6 +87,7 @@ def pressure(run):
     for (left, right), probe in zip(grid, probes):
         values = run.history[f"fluid/{probe['name']}"] / 1000
         times, even, rate = evenly(run, np.nan_to_num(values))
+        draw_references(left, reference_curves(case_folder, ("t_s", f"{probe['name']}_Pa")), 1e-3)
         smooth = low_passed(even, rate)
         left.plot(run.time, values, color="#9ec5e8", lw=0.6, label=f"raw, up to {np.nanmax(values):.1f} kPa")
         if smooth is not None:
@@ -93,13 +105,14 @@ def pressure(run):
     return figure
 
 
-def level(run):
+def level(run, case_folder):
     probes = [p for p in run.probes("level") if f"fluid/{p['name']}" in run.history]
     if not probes or not len(run.time):
         return None
     figure, axes = plt.subplots(layout="constrained", figsize=(9, 4))
     for probe in probes:
         place = ", ".join(f"{x:g}" for x in probe["position"][:-1])
+        draw_references(axes, reference_curves(case_folder, ("t_s", f"{probe['name']}_m")), 1, "{}, at " + place + " m")
         axes.plot(run.time, run.history[f"fluid/{probe['name']}"], lw=1.4, label=f"{probe['name']}, at {place} m")
     axes.set(xlabel="t [s]", ylabel="level [m]", title=f"{run.title}: free surface", xlim=(0, None))
     axes.legend(fontsize=8)

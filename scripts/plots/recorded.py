@@ -19,7 +19,8 @@ class Run:
         with h5py.File(folder / "results.h5", "r") as file:
             self.title = str(file.attrs["title"])
             self.case = json.loads(file.attrs["case"])
-            self.case_folder = file.attrs.get("case_folder")
+            case_file = str(file.attrs.get("case_file", ""))
+            self.case_folder = Path(case_file).parent if case_file else None
             self.frame_times = file["frames/time"][:]
             self.history = {}
             file["history"].visititems(self._read)
@@ -66,8 +67,8 @@ def read_run(folder):
 
 def find_case_folder(run):
     """The case folder that the results name, or the one of this project with the same title."""
-    if run.case_folder and Path(run.case_folder).is_dir():
-        return Path(run.case_folder)
+    if run.case_folder and run.case_folder.is_dir():
+        return run.case_folder
     for path in sorted(ROOT.glob("cases/*/case.toml")):
         if tomllib.loads(path.read_text()).get("title") == run.title:
             return path.parent

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/carriers.hpp"
 #include "common/error.hpp"
 #include "common/state_bytes.hpp"
 #include "solid_solver/contact/vertex_motion.hpp"
@@ -40,6 +41,7 @@ ContactModel<dim>::ContactModel(std::unique_ptr<SolidModel> model, const v1::Cas
   H_ = vertex_interpolation(*model_, the_case.solid(), neighborhood_.vertices(), neighborhood_.body(),
                             spacing);
   neighborhood_.hold(empty_rows(H_));
+  for (const v1::Body& body : the_case.solid().body()) carrier_.emplace_back(motion_of(the_case, body));
   step_ = windows_share * the_case.time().window();
   if (const double speed = fall_speed<dim>(the_case, neighborhood_.vertices()); speed > 0)
     step_ = std::min(step_, fall * spacing / speed);
@@ -47,11 +49,44 @@ ContactModel<dim>::ContactModel(std::unique_ptr<SolidModel> model, const v1::Cas
   ramp_increment_ = Field::Zero(dim, model_->nodes());
 }
 
+/// Of all vertices at the end of the last window, t [s]; held ones go with what holds them.
+template <int dim>
+Field ContactModel<dim>::positions(double t) const {
+  Field x = neighborhood_.vertices() + model_->displacement() * H_.transpose();
+  each_carried([&](Eigen::Index v, const Motion<dim>& motion, const Vec<dim>& X) {
+    const Vec<dim> now = motion.place(X, t);
+    for (int k = 0; k < dim; ++k) x(k, v) = now[k];
+  });
+  return x;
+}
+
+template <int dim>
+Field ContactModel<dim>::velocities(double t) const {
+  Field u = model_->velocity() * H_.transpose();
+  each_carried([&](Eigen::Index v, const Motion<dim>& motion, const Vec<dim>& X) {
+    const Vec<dim> now = motion.velocity(X, t);
+    for (int k = 0; k < dim; ++k) u(k, v) = now[k];
+  });
+  return u;
+}
+
+/// Calls visit(v, motion, X) for the held vertices whose holder moves.
+template <int dim>
+template <typename Visit>
+void ContactModel<dim>::each_carried(const Visit& visit) const {
+  for (std::size_t v = 0; v < neighborhood_.body().size(); ++v) {
+    const auto vertex = static_cast<Eigen::Index>(v);
+    const Motion<dim>& motion = carrier_[static_cast<std::size_t>(neighborhood_.body()[v])];
+    if (neighborhood_.held(vertex) && motion.moves())
+      visit(vertex, motion, Vec<dim>(neighborhood_.vertices().col(vertex)));
+  }
+}
+
 template <int dim>
 bool ContactModel<dim>::may_touch(const Window& window) const {
-  const Touches near = neighborhood_.within_reach(positions(), window.start);
+  const Touches near = neighborhood_.within_reach(positions(window.start), window.start);
   if (near.empty()) return false;
-  const Field v = velocities();
+  const Field v = velocities(window.start);
   return std::any_of(near.begin(), near.end(), [&](const Touch<dim>& touch) {
     const double approach = std::max(0.0, -rate(touch, v));
     return touch.gap < foresight * approach * window.size - rounding * neighborhood_.reach();
@@ -75,7 +110,7 @@ int ContactModel<dim>::advance(const Window& window, const NodalLoad& load) {
     const Window part{.index = window.index, .start = window.start + k * dt, .size = dt};
     taken += step(part, load, static_cast<double>(k) / steps, 1.0 / steps);
   }
-  const Touches touches = pressed(positions(), window.start + window.size);
+  const Touches touches = pressed(positions(window.start + window.size), window.start + window.size);
   pressed_ = static_cast<double>(touches.size());
   energy_ = 0;
   for (const Touch<dim>& touch : touches) energy_ += 0.5 * stiffness(touch) * touch.gap * touch.gap;
@@ -87,8 +122,8 @@ int ContactModel<dim>::advance(const Window& window, const NodalLoad& load) {
 template <int dim>
 int ContactModel<dim>::step(const Window& part, const NodalLoad& load, double before, double share) {
   const double instant = model_->force_instant(), ahead = instant * part.size;
-  const Field nodal_v = model_->velocity(), v = nodal_v * H_.transpose();
-  const Touches touches = pressed(positions() + ahead * v, part.start + ahead);
+  const Field nodal_v = model_->velocity(), v = velocities(part.start);
+  const Touches touches = pressed(positions(part.start) + ahead * v, part.start + ahead);
   note(touches, v, part.start);
   check_depth(touches, part.start);
   const Field force = forces(touches) * H_;

@@ -28,6 +28,8 @@ class ContactModel : public SolidModel {
   Field displacement() const override { return model_->displacement(); }
   Field velocity() const override { return model_->velocity(); }
   Field acceleration_by(const Field& load) const override { return model_->acceleration_by(load); }
+  NodeLayout layout() const override { return model_->layout(); }
+  Field inertia(const Field& acceleration) const override { return model_->inertia(acceleration); }
   Field ramp_increment() const override { return touching_ ? ramp_increment_ : model_->ramp_increment(); }
   double max_speed() const override { return model_->max_speed(); }
   Energies energies() const override { return model_->energies(); }
@@ -46,8 +48,10 @@ class ContactModel : public SolidModel {
  private:
   using Touches = std::vector<Touch<dim>>;
 
-  Field positions() const { return neighborhood_.vertices() + model_->displacement() * H_.transpose(); }
-  Field velocities() const { return model_->velocity() * H_.transpose(); }
+  Field positions(double t) const;
+  Field velocities(double t) const;
+  template <typename Visit>
+  void each_carried(const Visit& visit) const;
   bool may_touch(const Window& window) const;
   double stiffness(const Touch<dim>& touch) const;
   void find_stiffness();
@@ -60,9 +64,10 @@ class ContactModel : public SolidModel {
 
   std::unique_ptr<SolidModel> model_;
   Neighborhood<dim> neighborhood_;
-  Interpolation H_;                // of the boundaries' vertices
-  double step_;                    // longest while bodies touch [s]
-  std::vector<double> stiffness_;  // of each body, over the area [N/m^dim]; empty: not yet found
+  Interpolation H_;                   // of the boundaries' vertices; rows of held ones are empty
+  std::vector<Motion<dim>> carrier_;  // of what holds each body
+  double step_;                       // longest while bodies touch [s]
+  std::vector<double> stiffness_;     // of each body, over the area [N/m^dim]; empty: not yet found
 
   bool touching_ = false;                // whether the last window went through in sub-steps
   Field ramp_increment_;                 // of such a window

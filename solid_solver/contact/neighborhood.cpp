@@ -3,12 +3,17 @@
 #include <algorithm>
 #include <limits>
 
+#include "common/carriers.hpp"
 #include "common/error.hpp"
 
 namespace cosurge::contact {
 namespace {
 
 constexpr double reach_in_spacings = 1.5;
+constexpr double touching = 1e-6;  // of a spacing: what is drawn face to face has this gap by rounding
+// Of a spacing: what touches where it is drawn, and is clamped, may come this much closer. A clamped body
+// that reaches from wall to wall slides along the walls and bulges a little towards them: that is no blow.
+constexpr double play = 0.05;
 
 // Shares of the stiffness: a flat contact of two bodies is pressed from both sides, and each body's vertices
 // count in both.
@@ -42,11 +47,12 @@ Neighborhood<dim>::Neighborhood(const v1::Case& the_case, double spacing)
     : spacing_(spacing), reach_(reach_in_spacings * spacing) {
   if (the_case.fluid().has_tank()) tank_.emplace_back(the_case.fluid());
   for (const v1::Obstacle& obstacle : the_case.fluid().obstacle())
-    obstacles_.emplace_back(obstacle, spacing, reach_);
+    obstacles_.emplace_back(obstacle.shape(), motion_of(the_case.fluid(), obstacle), spacing, reach_);
   first_.push_back(0);
   for (const v1::Body& body : the_case.solid().body()) {
     shapes_.emplace_back(shape_of(body));
     boundaries_.emplace_back(shapes_.back(), spacing);
+    clamped_.push_back(body.clamp_size() > 0 || body.support_size() > 0 ? 1 : 0);
     const Boundary<dim>& made = boundaries_.back();
     first_.push_back(first_.back() + made.position.cols());
     body_.insert(body_.end(), made.area.size(), bodies() - 1);
@@ -103,11 +109,11 @@ void Neighborhood<dim>::add_walls(const Field& x, double t, Touches& touches) co
       const double gap = tank.gap(wall, home);
       if (gap > reach_) continue;
       Touch<dim> touch = nowhere<dim>(body_[v], wall, 1);
-      touch.gap = gap - std::min(0.0, tank.gap(wall, reference_.col(v)));
+      touch.gap = gap - rest_gap(tank.gap(wall, reference_.col(v)), clamped_[body_[v]] != 0);
       touch.normal = tank.normal(wall);
       if (moves) {
         touch.normal = motion.place(home + touch.normal, t) - motion.place(home, t);
-        touch.prescribed_rate = -touch.normal.dot(ObstacleBoundary<dim>::velocity(motion, home, t));
+        touch.prescribed_rate = -touch.normal.dot(motion.velocity(home, t));
       }
       touch.place = at;
       touch.area = area_[v];
@@ -145,7 +151,7 @@ void Neighborhood<dim>::add_obstacle(int o, int b, const Field& x, double t, Tou
     const Vec<dim> home = touch.place;
     touch.place = motion.place(home, t);
     touch.normal = motion.place(home + touch.normal, t) - touch.place;
-    touch.prescribed_rate = -touch.normal.dot(ObstacleBoundary<dim>::velocity(motion, home, t));
+    touch.prescribed_rate = -touch.normal.dot(motion.velocity(home, t));
   }
   Pressing others{.body = -1, .boundary = obstacle.boundary(), .x = obstacle.boundary().position};
   for (Eigen::Index v = 0; moves && v < others.x.cols(); ++v) {
@@ -162,8 +168,8 @@ void Neighborhood<dim>::add_obstacle(int o, int b, const Field& x, double t, Tou
   for (std::size_t k = second; k < touches.size(); ++k) {
     touches[k].other = name_of_o;
     if (moves)
-      touches[k].prescribed_rate = touches[k].normal.dot(
-          ObstacleBoundary<dim>::velocity(motion, motion.origin(touches[k].place, t), t));
+      touches[k].prescribed_rate =
+          touches[k].normal.dot(motion.velocity(motion.origin(touches[k].place, t), t));
   }
 }
 
@@ -236,24 +242,39 @@ const std::vector<double>& Neighborhood<dim>::rest_gaps(int pressing, int presse
   if (is_new)
     found->second = find_rest_gaps(
         boundary(pressing), boundary(pressed),
-        pressed < first_body() ? obstacles_[pressed - walls()].shape() : shapes_[pressed - first_body()]);
+        pressed < first_body() ? obstacles_[pressed - walls()].shape() : shapes_[pressed - first_body()],
+        clamped(pressing) && clamped(pressed));
   return found->second;
 }
 
-/// 0 outside; far inside nothing is ever deep enough to touch.
+/// Whether a body is held by clamps or supports; walls and obstacles are.
+template <int dim>
+bool Neighborhood<dim>::clamped(int name) const {
+  return body_of(name) < 0 || clamped_[static_cast<std::size_t>(body_of(name))] != 0;
+}
+
+/// The gap at which a pair begins to touch that had the gap `at_start` where it is drawn [m].
+template <int dim>
+double Neighborhood<dim>::rest_gap(double at_start, bool clamped) const {
+  if (at_start > touching * spacing_) return 0;
+  return std::min(0.0, at_start) - (clamped ? play * spacing_ : 0);
+}
+
+/// Of the pressing vertices; far inside nothing is ever deep enough to touch.
 template <int dim>
 std::vector<double> Neighborhood<dim>::find_rest_gaps(const Boundary<dim>& pressing,
-                                                      const Boundary<dim>& pressed,
-                                                      const Shape<dim>& shape) const {
+                                                      const Boundary<dim>& pressed, const Shape<dim>& shape,
+                                                      bool clamped) const {
   std::vector<double> gaps(pressing.area.size(), 0.0);
   const Box<dim> region = box_of<dim>(pressing.position);
   if (!overlap(region, widened(shape.bounds()))) return gaps;
   const FacetSearch<dim> search(pressed, pressed.position, reach_, region);
   for (std::size_t v = 0; v < gaps.size(); ++v) {
     const Vec<dim> x = pressing.position.col(static_cast<Eigen::Index>(v));
-    if (!shape.contains(x)) continue;
-    const auto nearest = search.nearest(x);
-    gaps[v] = nearest ? std::min(0.0, nearest->gap) : -std::numeric_limits<double>::infinity();
+    if (const auto nearest = search.nearest(x))
+      gaps[v] = rest_gap(nearest->gap, clamped);
+    else if (shape.contains(x))
+      gaps[v] = -std::numeric_limits<double>::infinity();
   }
   return gaps;
 }

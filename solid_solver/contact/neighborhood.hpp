@@ -13,7 +13,8 @@ namespace cosurge::contact {
 
 /// Floor and walls of the tank, obstacles, moving ones too, and the bodies themselves. Vertices of a body
 /// meet walls and the facets of others; vertices of obstacles and of other bodies meet its facets, so that no
-/// side's corners are missed. What overlaps where it is drawn counts from there.
+/// side's corners are missed. Gaps that are negative where they are drawn count from there; where clamps or
+/// supports hold the bodies, what touches where it is drawn has a small share of the spacing as play.
 template <int dim>
 class Neighborhood {
  public:
@@ -30,6 +31,8 @@ class Neighborhood {
 
   /// Which vertices their bodies hold: they press on nothing. None, unless it is called.
   void hold(std::vector<char> held) { held_ = std::move(held); }
+
+  bool held(Eigen::Index vertex) const { return held_[static_cast<std::size_t>(vertex)] != 0; }
 
   /// What is farther from each other does not touch [m]: also the largest depth at which contact is found.
   double reach() const { return reach_; }
@@ -63,9 +66,11 @@ class Neighborhood {
   int first_body() const { return walls() + static_cast<int>(obstacles_.size()); }
   Field of_body(const Field& all, int b) const;
   Box<dim> widened(const Box<dim>& box) const;
+  double rest_gap(double at_start, bool clamped) const;
+  bool clamped(int name) const;
   const std::vector<double>& rest_gaps(int pressing, int pressed) const;
   std::vector<double> find_rest_gaps(const Boundary<dim>& pressing, const Boundary<dim>& pressed,
-                                     const Shape<dim>& shape) const;
+                                     const Shape<dim>& shape, bool clamped) const;
 
   void add_walls(const Field& x, double t, Touches& touches) const;
   void add_obstacle(int o, int b, const Field& x, double t, Touches& touches) const;
@@ -78,6 +83,7 @@ class Neighborhood {
   std::vector<TankWalls<dim>> tank_;  // none without water
   std::vector<ObstacleBoundary<dim>> obstacles_;
   std::vector<Shape<dim>> shapes_;  // of the bodies
+  std::vector<char> clamped_;       // whether clamps or supports hold each body
   std::vector<Boundary<dim>> boundaries_;
   std::vector<Eigen::Index> first_;  // vertex of each body, and their number
   Field reference_;

@@ -11,10 +11,11 @@ namespace cosurge::contact {
 template <int dim>
 class ObstacleBoundary {
  public:
+  /// @param motion the obstacle's own, or that of the tank
   /// @param longest edge of a facet [m]
   /// @param reach how far away a facet is found [m]
-  ObstacleBoundary(const v1::Obstacle& obstacle, double longest, double reach)
-      : shape_(obstacle.shape()), motion_(obstacle.motion()), longest_(longest), reach_(reach) {}
+  ObstacleBoundary(const v1::Shape& shape, const v1::WallMotion& motion, double longest, double reach)
+      : shape_(shape), motion_(motion), longest_(longest), reach_(reach) {}
 
   const Shape<dim>& shape() const { return shape_; }  ///< where it is at the start
   const Motion<dim>& motion() const { return motion_; }
@@ -41,13 +42,6 @@ class ObstacleBoundary {
       now.max = now.max.cwiseMax(motion_.place(X, t));
     }
     return now;
-  }
-
-  /// Velocity at time t of its point that is at X at the start [m/s].
-  static Vec<dim> velocity(const Motion<dim>& motion, const Vec<dim>& X, double t) {
-    if (!motion.moves()) return Vec<dim>::Zero();
-    constexpr double dt = 1e-6;  // s: far below any motion's time, far above rounding
-    return (motion.place(X, t + dt) - motion.place(X, t - dt)) / (2 * dt);
   }
 
  private:

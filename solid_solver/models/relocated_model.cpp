@@ -82,6 +82,12 @@ int RelocatedModel::advance(const Window& window, const NodalLoad& load) {
   return saying_origin(origin_, [&] { return model_->advance(window, load); });
 }
 
+NodeLayout RelocatedModel::layout() const {
+  NodeLayout layout = model_->layout();
+  layout.position.colwise() += Eigen::Map<const Eigen::VectorXd>(origin_.data(), layout.position.rows());
+  return layout;
+}
+
 Snapshot RelocatedModel::frame() const {
   Snapshot arrays = model_->frame();
   for (Array& array : arrays) {

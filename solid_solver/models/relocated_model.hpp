@@ -45,6 +45,8 @@ class RelocatedModel : public SolidModel {
   Field velocity() const override { return model_->velocity(); }
   Field ramp_increment() const override { return model_->ramp_increment(); }
   Field acceleration_by(const Field& load) const override { return model_->acceleration_by(load); }
+  NodeLayout layout() const override;
+  Field inertia(const Field& acceleration) const override { return model_->inertia(acceleration); }
   double force_instant() const override { return model_->force_instant(); }
   double max_speed() const override { return model_->max_speed(); }
   Energies energies() const override { return model_->energies(); }

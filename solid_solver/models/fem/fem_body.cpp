@@ -218,6 +218,23 @@ Vector FemBody<dim>::momentum(const Vector& v) const {
 }
 
 template <int dim>
+Field FemBody<dim>::inertia(const Field& acceleration) const {
+  const auto samples = Element::gauss();
+  Field force = Field::Zero(dim, mesh_.nodes());
+  for (Eigen::Index e = 0; e < mesh_.elements(); ++e) {
+    Nodal a, f = Nodal::Zero();
+    for (int n = 0; n < Element::nodes; ++n) a.col(n) = acceleration.col(mesh_.node(e, n));
+    for (std::size_t g = 0; g < samples.size(); ++g) {
+      const typename Element::Values N = Element::values(samples[g].xi);
+      f += material_.density * quadratures(e)[g].volume * (a * N) * N.transpose();
+    }
+    for (int n = 0; n < Element::nodes; ++n)
+      for (int k = 0; k < dim; ++k) force(k, mesh_.node(e, n)) += f(k, n);
+  }
+  return force;
+}
+
+template <int dim>
 typename FemBody<dim>::Deformation FemBody<dim>::deformation(const Vector& u) const {
   const Vec<dim> scale = 2 / mesh_.side().array();
   std::vector<typename Element::Gradients> at_nodes;

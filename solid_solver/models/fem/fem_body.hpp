@@ -47,6 +47,7 @@ class FemBody {
   const Vector& weight() const { return weight_; }  ///< gravity's force [N]
   double elastic_energy(const Vector& u) const;     ///< [J]
   Vector momentum(const Vector& v) const;           ///< M v
+  Field inertia(const Field& acceleration) const;   ///< M a over all nodes, held ones too [N]
   /// Largest force by which the stiffness of the undeformed body answers to one node's displacement [N/m].
   double largest_stiffness() const { return tangent(Vector::Zero(unknowns())).diagonal().maxCoeff(); }
   Deformation deformation(const Vector& u) const;

@@ -30,6 +30,8 @@ class FemModel : public SolidModel {
   Field velocity() const override { return bodies_.to_nodes(velocities()); }
   Field ramp_increment() const override { return bodies_.to_nodes(ramp_increment_); }
   Field acceleration_by(const Field& load) const override;
+  NodeLayout layout() const override { return bodies_.layout(); }
+  Field inertia(const Field& acceleration) const override { return bodies_.inertia(acceleration); }
   double max_speed() const override { return bodies_.max_speed(velocities()); }
   Energies energies() const override;
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "common/error.hpp"
+#include "solid_solver/models/fem/chosen_grid.hpp"
 
 namespace cosurge::fem {
 namespace {
@@ -38,7 +39,9 @@ bool invert(Eigen::Matrix<double, dim, QuadraticElement<dim>::nodes> corners, Ve
 
 template <int dim>
 Mesh<dim>::Mesh(const v1::Body& body, int index, double longest)
-    : shape_(shape_of(body)), grid_(shape_, longest, index), margin_(rounding * side().minCoeff()) {
+    : shape_(shape_of(body)),
+      grid_(chosen_grid(shape_, longest, index)),
+      margin_(rounding * side().minCoeff()) {
   hold(body, index);
   const Vec<dim> margin = Vec<dim>::Constant(side().norm());
   for (Eigen::Index e = 0; e < elements() && !even(); ++e) {

@@ -21,7 +21,7 @@ class Mesh {
     Vec<dim> xi;
   };
 
-  /// @param longest side of an element [m]; 0 for a third of the thickness
+  /// @param longest side of an element [m]; 0: chosen_grid chooses it
   /// @throws Error as FittedGrid does, and for a clamp or support that holds no node.
   Mesh(const v1::Body& body, int index, double longest);
 

@@ -63,6 +63,28 @@ Field MeshedBodies<dim>::to_nodes(const Vectors& values) const {
 }
 
 template <int dim>
+NodeLayout MeshedBodies<dim>::layout() const {
+  NodeLayout layout{.position = Field(dim, nodes()), .body = {}, .particle_body = {}};
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const Eigen::Index count = first_[b + 1] - first_[b];
+    layout.position.middleCols(first_[b], count) = bodies_[b].mesh().position();
+    layout.body.insert(layout.body.end(), static_cast<std::size_t>(count), static_cast<int>(b));
+  }
+  for (const Site& site : sites_) layout.particle_body.push_back(static_cast<int>(site.body));
+  return layout;
+}
+
+template <int dim>
+Field MeshedBodies<dim>::inertia(const Field& acceleration) const {
+  Field all(dim, nodes());
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const Eigen::Index count = first_[b + 1] - first_[b];
+    all.middleCols(first_[b], count) = bodies_[b].inertia(acceleration.middleCols(first_[b], count));
+  }
+  return all;
+}
+
+template <int dim>
 typename FemBody<dim>::Deformation MeshedBodies<dim>::deformation(const Vectors& u) const {
   typename FemBody<dim>::Deformation largest;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {

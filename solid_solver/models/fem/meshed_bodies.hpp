@@ -31,6 +31,9 @@ class MeshedBodies {
   Vector of_body(std::size_t b, const Field& nodal) const;
   Field to_nodes(const Vectors& values) const;
 
+  NodeLayout layout() const;
+  Field inertia(const Field& acceleration) const;  ///< M a over all nodes [N]
+
   /// Largest over all bodies.
   typename FemBody<dim>::Deformation deformation(const Vectors& u) const;
   double max_speed(const Vectors& v) const;

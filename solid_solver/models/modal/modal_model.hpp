@@ -32,6 +32,8 @@ class ModalModel : public SolidModel {
   Field velocity() const override { return bodies_.to_nodes(motion(&OscillatorState::velocity)); }
   Field ramp_increment() const override { return bodies_.to_nodes(motion(&OscillatorState::ramp_increment)); }
   Field acceleration_by(const Field& load) const override;
+  NodeLayout layout() const override { return bodies_.layout(); }
+  Field inertia(const Field& acceleration) const override { return bodies_.inertia(acceleration); }
   double max_speed() const override { return bodies_.max_speed(motion(&OscillatorState::velocity)); }
   Energies energies() const override;
 

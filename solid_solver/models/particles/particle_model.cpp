@@ -118,6 +118,23 @@ Field ParticleModel<dim>::acceleration_by(const Field& load) const {
 }
 
 template <int dim>
+NodeLayout ParticleModel<dim>::layout() const {
+  NodeLayout layout{.position = Field(dim, nodes()), .body = {}, .particle_body = {}};
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    for (const Vec<dim>& x : bodies_[b]->grid().positions()) {
+      layout.position.col(static_cast<Eigen::Index>(layout.body.size())) = x;
+      layout.body.push_back(static_cast<int>(b));
+    }
+  layout.particle_body = layout.body;
+  return layout;
+}
+
+template <int dim>
+Field ParticleModel<dim>::inertia(const Field& acceleration) const {
+  return bodies_.front()->particle_mass() * acceleration;  // of one material and one spacing, all are alike
+}
+
+template <int dim>
 double ParticleModel<dim>::max_speed() const {
   double fastest = 0;
   for (const auto& body : bodies_) fastest = std::max(fastest, body->velocity().colwise().norm().maxCoeff());

@@ -42,6 +42,8 @@ class ParticleModel : public SolidModel {
   Field velocity() const override { return of_bodies(&ParticleBody<dim>::velocity); }
   Field ramp_increment() const override { return of_bodies(&ParticleBody<dim>::ramp_increment); }
   Field acceleration_by(const Field& load) const override;
+  NodeLayout layout() const override;
+  Field inertia(const Field& acceleration) const override;
   double force_instant() const override { return bodies_.front()->force_instant(); }
   double max_speed() const override;
   Energies energies() const override;

@@ -2,26 +2,33 @@
 
 #include "common/body_sites.hpp"
 #include "common/error.hpp"
+#include "common/shape.hpp"
 #include "common/state_bytes.hpp"
 
 namespace cosurge {
 
 template <int dim>
-RigidModel<dim>::RigidModel(const v1::Solid& solid, double spacing) : bodies_(solid.body_size()) {
+RigidModel<dim>::RigidModel(const v1::Solid& solid, double spacing) {
   for (const v1::Body& body : solid.body()) {
     const BodySites<dim> sites(body, spacing);
-    for (const Vec<dim>& x : sites.all())
+    for (const Vec<dim>& x : sites.all()) {
       for (int k = 0; k < dim; ++k) positions_.push_back(static_cast<float>(x[k]));
+      particle_body_.push_back(static_cast<int>(bodies()));
+    }
+    bounds_.push_back(Shape<dim>(shape_of(body)).bounds());
   }
 }
 
 template <int dim>
 Interpolation RigidModel<dim>::interpolation(const Field& position, const std::vector<int>& body) const {
-  Interpolation H(position.cols(), bodies_);
+  Interpolation H(position.cols(), nodes());
   for (Eigen::Index point = 0; point < position.cols(); ++point) {
     const int b = body[static_cast<std::size_t>(point)];
-    require(b >= 0 && b < bodies_, "solid: a point of body {}, but there are {}", b, bodies_);
-    H.insert(point, b) = 1;
+    require(b >= 0 && b < bodies(), "solid: a point of body {}, but there are {}", b, bodies());
+    const auto own = static_cast<std::size_t>(b);
+    const Vec<dim> way = (Vec<dim>(position.col(point)) - middle(own)) / length(own);
+    H.insert(point, b * per_body) = 1 - way.sum();
+    for (int k = 0; k < dim; ++k) H.insert(point, b * per_body + 1 + k) = way[k];
   }
   return H;
 }
@@ -30,6 +37,18 @@ template <int dim>
 int RigidModel<dim>::advance(const Window&, const NodalLoad& load) {
   total_load_ = load.last.rowwise().sum();
   return 0;
+}
+
+template <int dim>
+NodeLayout RigidModel<dim>::layout() const {
+  NodeLayout layout{.position = Field(dim, nodes()), .body = {}, .particle_body = particle_body_};
+  for (std::size_t b = 0; b < bounds_.size(); ++b) {
+    const auto first = static_cast<Eigen::Index>(b) * per_body;
+    layout.position.middleCols(first, per_body) = middle(b).replicate(1, per_body);
+    for (int k = 0; k < dim; ++k) layout.position(k, first + 1 + k) += length(b);
+    layout.body.insert(layout.body.end(), per_body, static_cast<int>(b));
+  }
+  return layout;
 }
 
 template <int dim>

@@ -1,25 +1,29 @@
-// The model `rigid`: bodies that stand still.
+// The model `rigid`: bodies that are held, all of them.
 #pragma once
 
+#include "common/lattice.hpp"
 #include "solid_solver/solid_model.hpp"
 
 namespace cosurge {
 
-/// Each body is one node, held. Its load is what holds it: the reaction.
+/// The nodes of each body are held: one in the middle of the box around it, and one from there along each
+/// axis, so that a motion of what holds it is affine between them. Its load is what holds it: the reaction.
 template <int dim>
 class RigidModel : public SolidModel {
  public:
   explicit RigidModel(const v1::Solid& solid, double spacing);
 
-  Eigen::Index nodes() const override { return bodies_; }
+  Eigen::Index nodes() const override { return bodies() * per_body; }
   std::uint64_t particles() const override { return positions_.size() / dim; }
   Interpolation interpolation(const Field& position, const std::vector<int>& body) const override;
   double substep() const override { return 0; }
   int advance(const Window& window, const NodalLoad& load) override;
-  Field displacement() const override { return Field::Zero(dim, bodies_); }
-  Field velocity() const override { return Field::Zero(dim, bodies_); }
-  Field ramp_increment() const override { return Field::Zero(dim, bodies_); }
+  Field displacement() const override { return Field::Zero(dim, nodes()); }
+  Field velocity() const override { return Field::Zero(dim, nodes()); }
+  Field ramp_increment() const override { return Field::Zero(dim, nodes()); }
   Field acceleration_by(const Field& load) const override { return Field::Zero(dim, load.cols()); }
+  NodeLayout layout() const override;
+  Field inertia(const Field& acceleration) const override { return Field::Zero(dim, acceleration.cols()); }
   double max_speed() const override { return 0; }
   Energies energies() const override { return {}; }
 
@@ -32,7 +36,14 @@ class RigidModel : public SolidModel {
   Snapshot frame() const override;
 
  private:
-  Eigen::Index bodies_;
+  static constexpr int per_body = dim + 1;
+
+  Eigen::Index bodies() const { return static_cast<Eigen::Index>(bounds_.size()); }
+  Vec<dim> middle(std::size_t body) const { return 0.5 * (bounds_[body].min + bounds_[body].max); }
+  double length(std::size_t body) const { return (bounds_[body].max - bounds_[body].min).maxCoeff(); }
+
+  std::vector<Box<dim>> bounds_;  // of the bodies
+  std::vector<int> particle_body_;
   std::vector<float> positions_;  // of the lattice that fills the bodies, for frames
   Eigen::VectorXd total_load_ = Eigen::VectorXd::Zero(dim);
 };

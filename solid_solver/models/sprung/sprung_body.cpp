@@ -31,6 +31,13 @@ SprungBody<dim>::SprungBody(const v1::Body& body, int index, const v1::SolidSpru
   arm_to_centre_ = moments.centre - pivot_;
   length_ = (shape_.bounds().max - shape_.bounds().min).maxCoeff();
   mass_ = parameters.has_mass() ? parameters.mass() : density * moments.volume;
+  Eigen::Matrix<double, dim, nodes> slopes =
+      Eigen::Matrix<double, dim, nodes>::Zero();  // of the coefficients [1/m]
+  slopes.col(0).setConstant(-1 / length_);
+  slopes.template rightCols<dim>().diagonal().setConstant(1 / length_);
+  const Coefficients centre = coefficients(moments.centre);
+  nodal_mass_ =
+      mass_ * (centre * centre.transpose() + slopes.transpose() * moments.second * slopes / moments.volume);
   const double inertia = mass_ * (moments.second.trace() / moments.volume + arm_to_centre_.squaredNorm());
   require(parameters.spring_size() > 0, "solid.sprung.spring: missing; choose solid.model = \"rigid\"");
   for (const v1::Spring& spring : parameters.spring()) free_motion(spring, inertia, index);
@@ -71,6 +78,13 @@ typename SprungBody<dim>::Coefficients SprungBody<dim>::coefficients(const Vec<d
   c.template tail<dim>() = (x - pivot_) / length_;
   c[0] = 1 - c.template tail<dim>().sum();
   return c;
+}
+
+template <int dim>
+Field SprungBody<dim>::position() const {
+  Field at = pivot_.replicate(1, nodes);
+  for (int k = 0; k < dim; ++k) at(k, 1 + k) += length_;
+  return at;
 }
 
 template <int dim>

@@ -34,6 +34,12 @@ class SprungBody {
   /// the rotation: translations are exact in time.
   int advance(double window, const Nodal& first, const Nodal& last);
 
+  /// Its nodes where it is drawn [m].
+  Field position() const;
+
+  /// M a [N]: of a rigid body, whose acceleration is as affine between the nodes as its motion.
+  Field inertia(const Field& acceleration) const { return acceleration * nodal_mass_; }
+
   /// Its free motions, about where it is drawn.
   std::vector<NodalMode> modes() const;
 
@@ -62,6 +68,8 @@ class SprungBody {
   Vec<dim> pivot_, arm_to_centre_, gravity_;
   double length_;  // of the nodes' arms [m]
   double mass_;
+  Eigen::Matrix<double, nodes, nodes>
+      nodal_mass_;  // integral of the density times products of coefficients [kg]
   std::array<Translation, dim> translations_;
   std::optional<Turning> turning_;
   Nodal ramp_increment_ = Nodal::Zero();

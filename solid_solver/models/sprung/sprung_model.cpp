@@ -85,6 +85,25 @@ Field SprungModel<dim>::acceleration_by(const Field& load) const {
 }
 
 template <int dim>
+NodeLayout SprungModel<dim>::layout() const {
+  NodeLayout layout{.position = of_bodies(&SprungBody<dim>::position), .body = {}, .particle_body = {}};
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    layout.body.insert(layout.body.end(), per_body, static_cast<int>(b));
+  for (const Site& site : sites_) layout.particle_body.push_back(static_cast<int>(site.body));
+  return layout;
+}
+
+template <int dim>
+Field SprungModel<dim>::inertia(const Field& acceleration) const {
+  Field all(dim, nodes());
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const auto own = static_cast<Eigen::Index>(b) * per_body;
+    all.middleCols(own, per_body) = bodies_[b].inertia(acceleration.middleCols(own, per_body));
+  }
+  return all;
+}
+
+template <int dim>
 double SprungModel<dim>::max_speed() const {
   double fastest = 0;
   for (const auto& body : bodies_) fastest = std::max(fastest, body.max_speed());

@@ -24,6 +24,8 @@ class SprungModel : public SolidModel {
   Field velocity() const override { return of_bodies(&SprungBody<dim>::velocity); }
   Field ramp_increment() const override { return of_bodies(&SprungBody<dim>::ramp_increment); }
   Field acceleration_by(const Field& load) const override;
+  NodeLayout layout() const override;
+  Field inertia(const Field& acceleration) const override;
   double max_speed() const override;
   Energies energies() const override;
 

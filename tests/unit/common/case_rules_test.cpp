@@ -267,6 +267,15 @@ TEST(CaseRules, SpacingsOfAnySizeAreAnswered) {
   }
 }
 
+TEST(CaseRules, WhatHoldsABodyMovesInOneWay) {
+  const std::string motion = "solid.body.0.motion={ amplitude = [0.01, 0.0], frequency = 2.0 }";
+  EXPECT_EQ(errors_of(CaseText().file(), {motion}), "");
+  EXPECT_THAT(errors_of(CaseText().file(), {"solid.body.0.motion={ amplitude = [0.01, 0.0] }"}),
+              HasSubstr("solid.body.0.motion.frequency: must be > 0"));
+  EXPECT_THAT(errors_of(CaseText().file(), {motion, "solid.body.0.clamp=[]"}),
+              HasSubstr("solid.body.0.motion: is that of what holds the body, and nothing holds it"));
+}
+
 TEST(CaseErrors, ArePlacedAtTheNearestKeyThatStandsInTheFile) {
   CaseErrors errors;
   errors.places = {{"", "case.toml"}, {"fluid", "case.toml:3"}};

@@ -50,31 +50,6 @@ TEST(PressureGauge, IsZeroInTheDryAndOutside) {
   EXPECT_EQ(pressure_at(mps, {5, 5}), 0);
 }
 
-TEST(LevelGauge, FindsTheSurfaceInTheMiddleAndBesideWalls) {
-  const Mps<2> mps = still_water(0, 0);
-  // Half a support of water: the surface of the lattice, to what a sum over some 13 sites can tell.
-  for (const double x : {0.0, 0.005, 0.1, 0.153, 0.3})
-    EXPECT_NEAR(level_at<2>(mps, {x, 0}, 0, l0), 0.1, 0.15 * l0) << x;
-}
-
-TEST(LevelGauge, RisesWithTheWaterAndDoesNotSeeADrop) {
-  const auto level = [](double depth, bool drop) {
-    std::vector<v1::Box> water = {test::box_of({0, 0}, {0.3, depth})};
-    if (drop) water.push_back(test::box_of({0.1, 0.2}, {0.11, 0.21}));
-    const Mps<2> mps(test::tank_of_water(l0, test::box_of({0, 0}, {0.3, 0.3}), water), nullptr, {0, -9.81});
-    return level_at<2>(mps, {0.105, 0}, 0, l0);
-  };
-  EXPECT_NEAR(level(0.15, false) - level(0.1, false), 0.05, 1e-12);
-  EXPECT_EQ(level(0.1, true), level(0.1, false));
-}
-
-TEST(LevelGauge, IsTheFloorWhereThereIsNoWater) {
-  const Mps<2> mps(
-      test::tank_of_water(l0, test::box_of({0, 0}, {0.3, 0.3}), {test::box_of({0, 0}, {0.1, 0.1})}), nullptr,
-      {0, -9.81});
-  EXPECT_EQ(level_at<2>(mps, {0.2, 0}, 0, l0), 0);
-}
-
 TEST(SnapToFace, FindsTheNearestPointOfTheWetFaces) {
   // A plate of 4 x 8 sites on the floor: its left, right and upper faces are wet.
   const Bodies<2> bodies(test::solid_of(test::box_of({0.1, 0}, {0.14, 0.08})), Box<2>({0, 0}, {0.3, 0.3}),

@@ -8,6 +8,7 @@
 
 #include "common/error.hpp"
 #include "fluid_solver/gauges.hpp"
+#include "fluid_solver/water_level.hpp"
 #include "tests/support/water.hpp"
 
 namespace cosurge::fluid {
@@ -362,12 +363,46 @@ TEST(Walls, WaterInAnAcceleratedTankLeansAsMuchAsItMust) {
     (void)mps.step(k * dt, dt);
     const double t = (k + 1) * dt;
     if (t < 1.05) continue;  // one period of sloshing, 0.53 s, is averaged over
-    difference += level_at<2>(mps, tank.place({0.01, 0}, t), 0, l0) -
-                  level_at<2>(mps, tank.place({length - 0.01, 0}, t), 0, l0);
+    const WaterParts parts = connected_water(mps, l0);
+    difference += level_at<2>(mps, parts, tank.place({0.01, 0}, t), 0, l0) -
+                  level_at<2>(mps, parts, tank.place({length - 0.01, 0}, t), 0, l0);
     ++count;
   }
   EXPECT_EQ(mps.particles().size(), mps.initial_size());
   EXPECT_NEAR(difference / count, (length - 0.02) * a / g, 0.5 * l0);  // to half a spacing
+}
+
+/// Where the particle nearest to X at the start is at time t.
+Vec<2> carried(const v1::Fluid& fluid, const Vec<2>& X, double t) {
+  Walls<2> walls(fluid, 3);
+  Particles<2> particles;
+  walls.add_to(particles);
+  int nearest = 0;
+  for (int i = 0; i < particles.size(); ++i)
+    if ((particles.x[i] - X).norm() < (particles.x[nearest] - X).norm()) nearest = i;
+  walls.move(particles, t, 1e-3);
+  walls.require_room(t);
+  return particles.x[nearest];
+}
+
+TEST(Walls, ObstaclesMoveWithTheTankUnlessTheySayOtherwise) {
+  v1::Fluid fluid =
+      test::tank_of_water(l0, test::box_of({0, 0}, {0.6, 0.4}), {test::box_of({0, 0}, {0.1, 0.1})});
+  v1::WallMotion& tank = *fluid.mutable_tank_motion();
+  tank.add_amplitude(0.05);
+  tank.add_amplitude(0);
+  tank.set_angle(0.2);
+  tank.set_frequency(1);
+  v1::Obstacle& obstacle = *fluid.add_obstacle();
+  *obstacle.mutable_shape() = shape_of(test::box_of({0.3, 0}, {0.4, 0.2}));  // it stands on the floor
+  const Vec<2> X(0.305, 0.105);
+  const Vec<2> with_tank = carried(fluid, X, 0.2);
+  EXPECT_LT((with_tank - Motion<2>(tank).place(X, 0.2)).norm(), 1e-14);
+  EXPECT_GT((with_tank - X).norm(), 0.02);
+  // Above the floor, which moves.
+  *obstacle.mutable_shape() = shape_of(test::box_of({0.3, 0.15}, {0.4, 0.25}));
+  obstacle.mutable_motion();
+  EXPECT_LT((carried(fluid, {0.305, 0.205}, 0.2) - Vec<2>(0.305, 0.205)).norm(), 1e-14);
 }
 
 }  // namespace

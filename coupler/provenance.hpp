@@ -1,0 +1,23 @@
+// Where the case of a run comes from.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace cosurge {
+
+struct Provenance {
+  std::string case_file;               ///< absolute path; empty: not known
+  std::vector<std::string> overrides;  ///< "key=value" in place of the file's
+  std::vector<std::string> changes;    ///< by resumptions: "t = 0.5 s: time.end: 0.5, now 1"
+
+  /// Of a run that begins.
+  static Provenance of_case(const std::string& path, const std::vector<std::string>& overrides);
+
+  /// From the results of a run; what they do not say is empty.
+  /// @throws Error where they cannot be read.
+  static Provenance of_results(const std::filesystem::path& results);
+};
+
+}  // namespace cosurge

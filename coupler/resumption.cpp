@@ -1,0 +1,85 @@
+#include "coupler/resumption.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "common/case_differences.hpp"
+#include "common/case_file.hpp"
+#include "common/error.hpp"
+#include "coupler/say.hpp"
+
+namespace cosurge {
+namespace {
+
+// What no state depends on: when windows and frames end, how pressures and loads are iterated, how much may
+// be lost.
+constexpr std::array may_change = {"time.",         "coupling.",       "output.frame_interval",
+                                   "fluid.courant", "fluid.pressure.", "fluid.most_lost"};
+constexpr std::size_t most_shown = 10;  // of differences from the file
+
+bool may(const std::string& key) {
+  return std::any_of(may_change.begin(), may_change.end(),
+                     [&](const char* start) { return key.starts_with(start); });
+}
+
+/// @throws Error with all changes that are not allowed, and where the end is not later than the checkpoint.
+void require_changes(const Checkpoint& checkpoint, const v1::Case& now,
+                     const std::vector<Difference>& changes) {
+  std::vector<std::string> wrong;
+  for (const Difference& change : changes)
+    if (!may(change.key))
+      wrong.push_back(
+          fmt::format("--set {}: a resumption cannot change it ({}); it may change time, coupling, "
+                      "output.frame_interval, fluid.courant, fluid.pressure and fluid.most_lost",
+                      change.key, change.first));
+  if (now.time().end() <= checkpoint.time)
+    wrong.push_back(
+        changes.empty()
+            ? fmt::format("the run is finished at t = {:.9g} s; --set time.end=... makes it longer",
+                          checkpoint.time)
+            : fmt::format("time.end: {} s must be > {:.9g} s, where the run stands", now.time().end(),
+                          checkpoint.time));
+  require(wrong.empty(), "{}", fmt::join(wrong, "\n"));
+}
+
+/// What the case file says by now that the case of the run does not.
+void tell_of_file(const Provenance& provenance, const v1::Case& begun) {
+  if (provenance.case_file.empty() || !std::filesystem::exists(provenance.case_file)) return;
+  std::vector<Difference> found;
+  try {
+    found = differences(begun, load_case(provenance.case_file, provenance.overrides));
+  } catch (const std::exception& error) {
+    return say("{} is not the case of this run any more, which goes on with its own: {}\n",
+               provenance.case_file, error.what());
+  }
+  std::erase_if(found,
+                [](const Difference& d) { return may(d.key); });  // earlier resumptions may have set them
+  if (found.empty()) return;
+  say("{} has changed since the run began, which goes on with its own case:\n", provenance.case_file);
+  for (std::size_t k = 0; k < std::min(found.size(), most_shown); ++k)
+    say("  {}: {} in the run, {} in the file\n", found[k].key, found[k].first, found[k].second);
+  if (found.size() > most_shown) say("  and {} more\n", found.size() - most_shown);
+}
+
+}  // namespace
+
+Resumption resumption_of(const std::filesystem::path& folder, const std::vector<std::string>& overrides) {
+  Resumption resumption{.checkpoint = Checkpoint::read(folder),
+                        .same_scheme = true,
+                        .provenance = Provenance::of_results(folder / Recorder::results_name)};
+  Checkpoint& checkpoint = resumption.checkpoint;
+  const v1::Case begun = checkpoint.the_case;
+  if (!overrides.empty()) checkpoint.the_case = change_case(begun, overrides);
+  const std::vector<Difference> changes = differences(begun, checkpoint.the_case);
+  require_changes(checkpoint, checkpoint.the_case, changes);
+  tell_of_file(resumption.provenance, begun);
+  for (const Difference& change : changes) {
+    const std::string text = fmt::format("{}: {}, now {}", change.key, change.first, change.second);
+    say("{}\n", text);
+    resumption.provenance.changes.push_back(fmt::format("t = {:.9g} s: {}", checkpoint.time, text));
+    if (change.key.starts_with("coupling.")) resumption.same_scheme = false;
+  }
+  return resumption;
+}
+
+}  // namespace cosurge

@@ -1,0 +1,114 @@
+#include "fluid_solver/water_level.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <numeric>
+
+#include "fluid_solver/particles_around.hpp"
+
+namespace cosurge::fluid {
+namespace {
+
+constexpr double linked = 1.5;         // spacings
+constexpr double fewest_supports = 2;  // particles of a part that is no spray, over those that fill a support
+
+/// Particles in a ball of radius r_e.
+template <int dim>
+double in_support(double re, double spacing) {
+  return (dim == 2 ? 1.0 : 4.0 / 3) * std::numbers::pi * std::pow(re / spacing, dim);
+}
+
+/// Of the tree that i is in; makes the way there shorter.
+std::int32_t root_of(std::int32_t i, std::vector<std::int32_t>& parent) {
+  while (parent[i] != i) {
+    parent[i] = parent[parent[i]];
+    i = parent[i];
+  }
+  return i;
+}
+
+/// The largest part with water within r_e of the vertical line through x, and how high it comes there; -1:
+/// none but spray.
+template <int dim>
+std::pair<std::int32_t, double> part_near(const Mps<dim>& mps, const WaterParts& parts, const Vec<dim>& x,
+                                          double floor, double spacing) {
+  const Particles<dim>& particles = mps.particles();
+  const double re = mps.neighbors().re(), fewest = fewest_supports * in_support<dim>(re, spacing);
+  std::int32_t largest = -1;
+  double highest = floor;
+  for (int i = 0; i < particles.size(); ++i) {
+    const std::int32_t part = parts.part[i];
+    if (part < 0 || parts.size[part] < fewest) continue;
+    if ((particles.x[i] - x).template head<dim - 1>().norm() >= re) continue;
+    if (largest < 0 || parts.size[part] > parts.size[largest]) largest = part, highest = floor;
+    if (part == largest) highest = std::max(highest, particles.x[i][dim - 1]);
+  }
+  return {largest, highest};
+}
+
+}  // namespace
+
+template <int dim>
+WaterParts connected_water(const Mps<dim>& mps, double spacing) {
+  const Particles<dim>& particles = mps.particles();
+  std::vector<std::int32_t> parent(static_cast<std::size_t>(particles.size()));
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto water = [&](int i) { return particles.kind[i] == Kind::fluid; };
+  for (int i = 0; i < particles.size(); ++i) {
+    if (!water(i)) continue;
+    mps.neighbors().each(particles, i, [&](int j, const Vec<dim>&, double r) {
+      if (j >= i || !water(j) || r >= linked * spacing) return;
+      const std::int32_t one = root_of(i, parent), other = root_of(j, parent);
+      parent[std::max(one, other)] = std::min(one, other);  // the root of a tree is its first particle
+    });
+  }
+  WaterParts parts{.part = std::vector<std::int32_t>(parent.size(), -1), .size = {}};
+  for (int i = 0; i < particles.size(); ++i) {
+    if (!water(i)) continue;
+    const std::int32_t root = root_of(i, parent);
+    if (root == i) {
+      parts.part[i] = static_cast<std::int32_t>(parts.size.size());
+      parts.size.push_back(0);
+    }
+    parts.part[i] = parts.part[root];
+    ++parts.size[parts.part[i]];
+  }
+  return parts;
+}
+
+template <int dim>
+double level_at(const Mps<dim>& mps, const WaterParts& parts, const Vec<dim>& x, double floor,
+                double spacing) {
+  const double re = mps.neighbors().re();
+  // Integral of (1 - r / r_e)^2 over the support, in particles.
+  const double full = (dim == 2 ? 1.0 / 6 : 2.0 / 15) * std::numbers::pi * std::pow(re / spacing, dim);
+  const auto [part, highest] = part_near(mps, parts, x, floor, spacing);
+  if (part < 0) return floor;
+  const auto share = [&, part = part](double height) {
+    Vec<dim> at = x;
+    at[dim - 1] = height;
+    double water = 0;
+    double others = 0;
+    each_around(mps, at, [&](int j, const Vec<dim>&, double r) {
+      const double w = (1 - r / re) * (1 - r / re);
+      if (mps.particles().kind[j] != Kind::fluid)
+        others += w;
+      else if (parts.part[j] == part)
+        water += w;
+    });
+    return water / std::max(full - others, 0.3 * full);  // next to a wall half is left
+  };
+  const double step = 0.5 * spacing;
+  double above = highest + re;
+  while (above > floor && share(above - step) < 0.5) above -= step;
+  if (above <= floor) return floor;
+  const double high = share(above);
+  return above - step * (0.5 - high) / (share(above - step) - high);
+}
+
+template WaterParts connected_water(const Mps<2>&, double);
+template WaterParts connected_water(const Mps<3>&, double);
+template double level_at<2>(const Mps<2>&, const WaterParts&, const Vec<2>&, double, double);
+template double level_at<3>(const Mps<3>&, const WaterParts&, const Vec<3>&, double, double);
+
+}  // namespace cosurge::fluid

@@ -1,0 +1,25 @@
+// The height of the water's surface, without spray.
+#pragma once
+
+#include "fluid_solver/mps.hpp"
+
+namespace cosurge::fluid {
+
+/// The water as parts that hang together: particles that are less than 1.5 spacings from each other.
+struct WaterParts {
+  std::vector<std::int32_t> part;  ///< of each particle; -1: no water
+  std::vector<int> size;           ///< particles of each part
+};
+
+template <int dim>
+WaterParts connected_water(const Mps<dim>& mps, double spacing);
+
+/// Height of the free surface on the vertical line through x [m]: of the largest connected part of the water
+/// near the line, the highest point where that part fills half of what walls and bodies leave of the support.
+/// Drops and sheets that have come off do not count, nor does a part of fewer particles than fill two
+/// supports. Not below `floor` [m].
+template <int dim>
+double level_at(const Mps<dim>& mps, const WaterParts& parts, const Vec<dim>& x, double floor,
+                double spacing);
+
+}  // namespace cosurge::fluid

@@ -1,0 +1,209 @@
+#include "solid_solver/carried_model.hpp"
+
+#include <algorithm>
+
+#include "common/carriers.hpp"
+#include "common/state_bytes.hpp"
+
+namespace cosurge {
+namespace {
+
+/// One by one: GCC 12 warns of whole vectors that go from products into a column.
+template <int dim>
+void set_column(Field& all, Eigen::Index n, const Vec<dim>& values) {
+  for (int k = 0; k < dim; ++k) all(k, n) = values[k];
+}
+
+template <int dim>
+Vec<dim> column(const Field& all, Eigen::Index n) {
+  Vec<dim> values;
+  for (int k = 0; k < dim; ++k) values[k] = all(k, n);
+  return values;
+}
+
+}  // namespace
+
+template <int dim>
+CarriedModel<dim>::CarriedModel(std::unique_ptr<SolidModel> model, const v1::Case& the_case)
+    : model_(std::move(model)), layout_(model_->layout()) {
+  for (const v1::Body& body : the_case.solid().body()) motion_.emplace_back(motion_of(the_case, body));
+  if (the_case.gravity_size() > 0) gravity_ = Eigen::Map<const Vec<dim>>(the_case.gravity().data());
+  ramp_increment_ = Field::Zero(dim, model_->nodes());
+}
+
+/// Of the carrier's point that is at X at the start [m/s]. Before the start everything stands still: a motion
+/// that begins with a speed gives its blow in the first window.
+template <int dim>
+Vec<dim> CarriedModel<dim>::carrier_velocity(const Motion<dim>& motion, const Vec<dim>& X, double t) const {
+  return t > 0 ? motion.velocity(X, t) : Vec<dim>::Zero();
+}
+
+/// Rotations of the bodies' carriers.
+template <int dim>
+std::vector<Mat<dim>> CarriedModel<dim>::turned(double t) const {
+  std::vector<Mat<dim>> all;
+  for (const Motion<dim>& motion : motion_) all.push_back(motion.turned(t));
+  return all;
+}
+
+template <int dim>
+Field CarriedModel<dim>::rotated(const Field& nodal, const std::vector<Mat<dim>>& rotation) const {
+  Field all(dim, nodal.cols());
+  for (Eigen::Index n = 0; n < nodal.cols(); ++n)
+    set_column<dim>(all, n,
+                    rotation[static_cast<std::size_t>(layout_.body[static_cast<std::size_t>(n)])] *
+                        column<dim>(nodal, n));
+  return all;
+}
+
+/// Where places in the carriers are in space at time t [m].
+template <int dim>
+Field CarriedModel<dim>::carried(const Field& place, double t) const {
+  Field all(dim, place.cols());
+  for (Eigen::Index n = 0; n < place.cols(); ++n)
+    set_column<dim>(all, n, carrier(n).place(column<dim>(place, n), t));
+  return all;
+}
+
+template <int dim>
+Field CarriedModel<dim>::carrier_velocities(const Field& place, double t) const {
+  Field all(dim, place.cols());
+  for (Eigen::Index n = 0; n < place.cols(); ++n)
+    set_column<dim>(all, n, carrier_velocity(carrier(n), column<dim>(place, n), t));
+  return all;
+}
+
+/// What nodes at these places seem to be accelerated by in the window, beyond gravity where the carriers were
+/// at the start (S46) [m/s2].
+template <int dim>
+Field CarriedModel<dim>::apparent_acceleration(const Field& place, const Window& window) const {
+  const double start = window.start, end = window.start + window.size;
+  const Field v = model_->velocity();
+  const std::vector<Mat<dim>> middle = turned(0.5 * (start + end)), first = turned(start), last = turned(end);
+  Field all = Field::Zero(dim, place.cols());
+  for (Eigen::Index n = 0; n < place.cols(); ++n) {
+    const auto b = static_cast<std::size_t>(layout_.body[static_cast<std::size_t>(n)]);
+    if (!motion_[b].moves()) continue;
+    const Vec<dim> X = column<dim>(place, n), v_n = column<dim>(v, n);
+    const Vec<dim> carriers =
+        (carrier_velocity(motion_[b], X, end) - carrier_velocity(motion_[b], X, start)) / window.size;
+    const Vec<dim> coriolis = 2 / window.size * ((last[b] - first[b]) * v_n);
+    const Vec<dim> seen = gravity_ - carriers - coriolis;
+    set_column<dim>(all, n, middle[b].transpose() * seen - gravity_);
+  }
+  return all;
+}
+
+template <int dim>
+int CarriedModel<dim>::advance(const Window& window, const NodalLoad& load) {
+  const double end = window.start + window.size;
+  const Field place = layout_.position + model_->displacement();
+  const Field inertia = model_->inertia(apparent_acceleration(place, window));
+  const std::vector<Mat<dim>> middle = turned(window.start + 0.5 * window.size);
+  std::vector<Mat<dim>> back = middle;
+  for (Mat<dim>& R : back) R.transposeInPlace();
+  const int taken = model_->advance(
+      window, {.first = rotated(load.first, back) + inertia, .last = rotated(load.last, back) + inertia});
+  time_ = end;
+  ramp_increment_ =
+      rotated(model_->ramp_increment(), middle) + 0.5 * (carried(place, end) - carried(place, window.start));
+  return taken;
+}
+
+template <int dim>
+Field CarriedModel<dim>::displacement() const {
+  return carried(layout_.position + model_->displacement(), time_) - layout_.position;
+}
+
+template <int dim>
+Field CarriedModel<dim>::velocity() const {
+  return carrier_velocities(layout_.position + model_->displacement(), time_) +
+         rotated(model_->velocity(), turned(time_));
+}
+
+template <int dim>
+Field CarriedModel<dim>::acceleration_by(const Field& load) const {
+  const std::vector<Mat<dim>> now = turned(time_);
+  std::vector<Mat<dim>> back = now;
+  for (Mat<dim>& R : back) R.transposeInPlace();
+  return rotated(model_->acceleration_by(rotated(load, back)), now);
+}
+
+template <int dim>
+Energies CarriedModel<dim>::energies() const {
+  const Field carriers = carrier_velocities(layout_.position + model_->displacement(), time_);
+  const Field momentum = model_->inertia(carriers);
+  const Field weight = model_->inertia(gravity_.replicate(1, nodes()));
+  Energies sum = model_->energies();
+  sum.kinetic += momentum.cwiseProduct(rotated(model_->velocity(), turned(time_)) + 0.5 * carriers).sum();
+  sum.gravity = -weight.cwiseProduct(displacement()).sum();
+  return sum;
+}
+
+template <int dim>
+std::string CarriedModel<dim>::save() const {
+  StateWriter state;
+  state.put(time_);
+  state.put(ramp_increment_);
+  state.put(model_->save());
+  return state.take();
+}
+
+template <int dim>
+void CarriedModel<dim>::restore(const std::string& bytes) {
+  StateReader state(bytes);
+  std::string model;
+  state.get(time_);
+  state.get(ramp_increment_);
+  state.get(model);
+  state.finish();
+  model_->restore(model);
+}
+
+template <int dim>
+Snapshot CarriedModel<dim>::frame() const {
+  Snapshot arrays = model_->frame();
+  const auto array = [&](const std::string& name) {
+    return std::find_if(arrays.begin(), arrays.end(), [&](const Array& a) { return a.name == name; });
+  };
+  const auto position = array("solid_position"), velocity = array("solid_velocity");
+  const std::vector<Mat<dim>> now = turned(time_);
+  for (std::size_t p = 0; p < layout_.particle_body.size(); ++p) {
+    const auto b = static_cast<std::size_t>(layout_.particle_body[p]);
+    Vec<dim> X, v;
+    for (int k = 0; k < dim; ++k) {
+      X[k] = position->values[dim * p + static_cast<std::size_t>(k)];
+      v[k] = velocity->values[dim * p + static_cast<std::size_t>(k)];
+    }
+    const Vec<dim> x = motion_[b].place(X, time_);
+    v = carrier_velocity(motion_[b], X, time_) + now[b] * v;
+    for (int k = 0; k < dim; ++k) {
+      position->values[dim * p + static_cast<std::size_t>(k)] = static_cast<float>(x[k]);
+      velocity->values[dim * p + static_cast<std::size_t>(k)] = static_cast<float>(v[k]);
+    }
+  }
+  return arrays;
+}
+
+namespace {
+
+template <int dim>
+std::unique_ptr<SolidModel> carried(std::unique_ptr<SolidModel> model, const v1::Case& the_case) {
+  const auto& bodies = the_case.solid().body();
+  const bool moves = std::any_of(bodies.begin(), bodies.end(), [&](const v1::Body& body) {
+    return Motion<dim>(motion_of(the_case, body)).moves();
+  });
+  return moves ? std::make_unique<CarriedModel<dim>>(std::move(model), the_case) : std::move(model);
+}
+
+}  // namespace
+
+std::unique_ptr<SolidModel> with_carriers(std::unique_ptr<SolidModel> model, const v1::Case& the_case) {
+  return the_case.dimension() == 2 ? carried<2>(std::move(model), the_case)
+                                   : carried<3>(std::move(model), the_case);
+}
+
+template class CarriedModel<2>;
+template class CarriedModel<3>;
+
+}  // namespace cosurge

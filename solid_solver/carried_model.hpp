@@ -1,0 +1,68 @@
+// A solid model whose bodies are held by what moves as prescribed.
+#pragma once
+
+#include <memory>
+
+#include "common/motion.hpp"
+#include "solid_solver/solid_model.hpp"
+
+namespace cosurge {
+
+/// Any model, computed as it is seen from what carries each body: the tank, an obstacle, or a motion of the
+/// body's own (docs/method_solid.md, section 13). Clamps, supports and springs stand still there; the nodes
+/// get the forces of inertia of the carrier's motion. Displacements, velocities and energies are those in
+/// space.
+template <int dim>
+class CarriedModel : public SolidModel {
+ public:
+  CarriedModel(std::unique_ptr<SolidModel> model, const v1::Case& the_case);
+
+  Eigen::Index nodes() const override { return model_->nodes(); }
+  std::uint64_t particles() const override { return model_->particles(); }
+  Interpolation interpolation(const Field& position, const std::vector<int>& body) const override {
+    return model_->interpolation(position, body);
+  }
+  double substep() const override { return model_->substep(); }
+  int advance(const Window& window, const NodalLoad& load) override;
+  Field displacement() const override;
+  Field velocity() const override;
+  Field ramp_increment() const override { return ramp_increment_; }
+  Field acceleration_by(const Field& load) const override;
+  double force_instant() const override { return model_->force_instant(); }
+  double max_speed() const override { return velocity().colwise().norm().maxCoeff(); }
+
+  /// The kinetic energy has that of clamped nodes, too: what holds them moves them.
+  Energies energies() const override;
+  std::vector<NodalMode> modes(int count) const override { return model_->modes(count); }
+  std::vector<Column> columns() const override { return model_->columns(); }
+  std::vector<double> values() const override { return model_->values(); }
+  std::vector<std::string> take_notes() override { return model_->take_notes(); }
+  NodeLayout layout() const override { return model_->layout(); }
+  Field inertia(const Field& acceleration) const override { return model_->inertia(acceleration); }
+  std::string save() const override;
+  void restore(const std::string& state) override;
+  Snapshot frame() const override;
+
+ private:
+  const Motion<dim>& carrier(Eigen::Index node) const {
+    return motion_[static_cast<std::size_t>(layout_.body[static_cast<std::size_t>(node)])];
+  }
+  Vec<dim> carrier_velocity(const Motion<dim>& motion, const Vec<dim>& X, double t) const;
+  std::vector<Mat<dim>> turned(double t) const;
+  Field rotated(const Field& nodal, const std::vector<Mat<dim>>& rotation) const;
+  Field carried(const Field& place, double t) const;
+  Field carrier_velocities(const Field& place, double t) const;
+  Field apparent_acceleration(const Field& place, const Window& window) const;
+
+  std::unique_ptr<SolidModel> model_;
+  NodeLayout layout_;
+  std::vector<Motion<dim>> motion_;  // of what carries each body
+  Vec<dim> gravity_ = Vec<dim>::Zero();
+  double time_ = 0;  // at the end of the last window [s]
+  Field ramp_increment_;
+};
+
+/// The model, carried where what holds one of its bodies moves.
+std::unique_ptr<SolidModel> with_carriers(std::unique_ptr<SolidModel> model, const v1::Case& the_case);
+
+}  // namespace cosurge

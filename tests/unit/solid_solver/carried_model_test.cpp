@@ -1,0 +1,217 @@
+// Bodies whose clamps, supports or springs move as prescribed.
+#include "solid_solver/carried_model.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "common/carriers.hpp"
+#include "common/error.hpp"
+#include "common/motion.hpp"
+#include "solid_solver/models/make_model.hpp"
+#include "tests/support/contact_scene.hpp"
+
+namespace cosurge {
+namespace {
+
+using std::numbers::pi;
+using Word = v1::SolidModel;
+
+constexpr double l0 = 0.01;
+constexpr double dt = 1e-3;
+
+/// A plate of 0.04 x 0.12 m that is clamped to the floor of a tank, which rolls about a point below and
+/// surges.
+template <int dim>
+v1::Case rolling_tank(Word::Word model, double young_modulus) {
+  v1::Case c;
+  c.set_dimension(dim);
+  for (int k = 0; k < dim; ++k) c.add_gravity(k == dim - 1 ? -9.81 : 0);
+  c.mutable_time()->set_window(dt);
+  v1::Fluid& fluid = *c.mutable_fluid();
+  fluid.set_spacing(l0);
+  v1::Box& tank = *fluid.mutable_tank();
+  v1::Solid& solid = *c.mutable_solid();
+  solid.set_model(model);
+  solid.set_density(1500);
+  solid.set_young_modulus(young_modulus);
+  solid.mutable_fem()->set_element(0.04);
+  solid.mutable_mps()->set_viscosity(0);
+  solid.mutable_hamiltonian()->set_viscosity(0);
+  v1::Body& body = *solid.add_body();
+  v1::Shape& clamp = *body.add_clamp();
+  const auto add = [](auto& box, std::initializer_list<double> min, std::initializer_list<double> max) {
+    for (const double x : min) box.add_min(x);
+    for (const double x : max) box.add_max(x);
+  };
+  if (dim == 2) {
+    add(tank, {0, 0}, {0.6, 0.4});
+    add(*body.mutable_box(), {0.28, 0}, {0.32, 0.12});
+    add(clamp, {0.28, -0.04}, {0.32, 0});
+  } else {
+    add(tank, {0, 0, 0}, {0.6, 0.1, 0.4});
+    add(*body.mutable_box(), {0.28, 0.03, 0}, {0.32, 0.07, 0.12});
+    add(clamp, {0.28, 0.03, -0.04}, {0.32, 0.07, 0});
+  }
+  v1::WallMotion& motion = *fluid.mutable_tank_motion();
+  for (int k = 0; k < dim; ++k) {
+    motion.add_amplitude(k == 0 ? 0.05 : 0);
+    motion.add_pivot(k == 0 ? 0.3 : k == dim - 1 ? -0.2 : 0);
+  }
+  motion.set_angle(0.3);
+  motion.set_frequency(0.8);
+  motion.set_ramp(0.3);
+  return c;
+}
+
+std::unique_ptr<SolidModel> make(const v1::Case& c) { return with_carriers(make_model(c), c); }
+
+NodalLoad none(const SolidModel& model, int dim) {
+  return {.first = Field::Zero(dim, model.nodes()), .last = Field::Zero(dim, model.nodes())};
+}
+
+/// Farthest that a node is from where the tank would carry it [m].
+template <int dim>
+double strayed(const SolidModel& model, const v1::WallMotion& motion, double t) {
+  const Motion<dim> tank(motion);
+  const NodeLayout layout = model.layout();
+  const Field moved = model.displacement();
+  double farthest = 0;
+  for (Eigen::Index n = 0; n < model.nodes(); ++n) {
+    const Vec<dim> X = layout.position.col(n), x = X + Vec<dim>(moved.col(n));
+    farthest = std::max(farthest, (x - tank.place(X, t)).norm());
+  }
+  return farthest;
+}
+
+class Carried : public testing::TestWithParam<Word::Word> {
+ protected:
+  /// Over a second; with no load but the model's own weight.
+  template <int dim>
+  double strays(double young_modulus, double gravity) const {
+    v1::Case c = rolling_tank<dim>(GetParam(), young_modulus);
+    c.set_gravity(dim - 1, gravity);
+    if (GetParam() == Word::sprung) {
+      v1::Spring& spring = *c.mutable_solid()->mutable_sprung()->add_spring();
+      spring.set_motion(v1::Spring::x);
+      spring.set_stiffness(young_modulus * 10);
+    }
+    const auto model = make(c);
+    double farthest = 0;
+    for (int k = 0; k < 1000; ++k) {
+      model->advance({.index = static_cast<std::uint64_t>(k), .start = k * dt, .size = dt},
+                     none(*model, dim));
+      if (k % 50 == 49)
+        farthest = std::max(farthest, strayed<dim>(*model, c.fluid().tank_motion(), (k + 1) * dt));
+    }
+    return farthest;
+  }
+};
+
+TEST_P(Carried, AStiffBodyMovesWithTheTank) {
+  // Its own weight and inertia bend it by some rho g H^4 / (E h^2) = 2e-3 m / (E / 1e6 Pa) at most.
+  if (GetParam() == Word::rigid) {
+    EXPECT_LT(strays<2>(1e9, -9.81), 1e-14);
+    EXPECT_LT(strays<3>(1e9, -9.81), 1e-14);
+    return;
+  }
+  const double stiff = strays<2>(1e8, -9.81);
+  RecordProperty("strayed", fmt::format("{:.3g}", stiff));
+  EXPECT_LT(stiff, 1e-4);
+  EXPECT_GT(stiff, 1e-9);
+}
+
+TEST_P(Carried, InSpaceToo) {
+  if (GetParam() == Word::mps || GetParam() == Word::hamiltonian) return;  // slow, and the same code
+  EXPECT_LT(strays<3>(1e8, -9.81), 1e-4);
+}
+
+TEST_P(Carried, AStateThatIsRestoredGoesOnToTheSameBits) {
+  if (GetParam() == Word::sprung) return;
+  const v1::Case c = rolling_tank<2>(GetParam(), 1e7);
+  const auto one = make(c), other = make(c);
+  const auto window = [](int k) {
+    return Window{.index = static_cast<std::uint64_t>(k), .start = k * dt, .size = dt};
+  };
+  for (int k = 0; k < 20; ++k) one->advance(window(k), none(*one, 2));
+  other->restore(one->save());
+  for (int k = 20; k < 40; ++k) {
+    one->advance(window(k), none(*one, 2));
+    other->advance(window(k), none(*other, 2));
+  }
+  EXPECT_EQ(one->displacement(), other->displacement());
+  EXPECT_EQ(one->velocity(), other->velocity());
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, Carried,
+                         testing::Values(Word::mps, Word::hamiltonian, Word::fem, Word::modal, Word::sprung,
+                                         Word::rigid),
+                         [](const auto& model) { return Word::Word_Name(model.param); });
+
+/// A body on a spring of its own frequency, whose anchor is shaken along x: the relative motion of a shaken
+/// oscillator from rest, z'' + w^2 z = -x''.
+TEST(CarriedOscillator, FollowsTheSolutionOfAShakenAnchor) {
+  v1::Case c = rolling_tank<2>(Word::sprung, 0);
+  v1::WallMotion& motion = *c.mutable_fluid()->mutable_tank_motion();
+  motion.set_angle(0);
+  motion.set_ramp(0);
+  const double amplitude = 0.05, shaken = 2 * pi * 0.8;
+  v1::Spring& spring = *c.mutable_solid()->mutable_sprung()->add_spring();
+  spring.set_motion(v1::Spring::x);
+  const double mass = 1500 * 0.04 * 0.12, omega = 2 * pi * 2;
+  spring.set_stiffness(mass * omega * omega);
+  const auto model = make(c);
+  double worst = 0;
+  for (int k = 0; k < 1000; ++k) {
+    model->advance({.index = static_cast<std::uint64_t>(k), .start = k * dt, .size = dt}, none(*model, 2));
+    const double t = (k + 1) * dt;
+    // In space: y'' + w^2 y = w^2 a sin(W t), from rest.
+    const double exact = amplitude * omega * omega / (omega * omega - shaken * shaken) *
+                         (std::sin(shaken * t) - shaken / omega * std::sin(omega * t));
+    worst = std::max(worst, std::abs(model->displacement()(0, 0) - exact));
+  }
+  RecordProperty("worst", fmt::format("{:.3g}", worst));
+  EXPECT_LT(worst, 5e-4 * amplitude + amplitude * shaken * dt);  // the blow of the start lasts a window
+}
+
+TEST(CarriedBody, TouchesNothingWhereItsTankCarriesIt) {
+  test::ContactRun run(rolling_tank<2>(Word::fem, 1e7));
+  while (run.windows < 300) {
+    run.advance();
+    ASSERT_EQ(run.value("contact_points"), 0) << run.windows;
+  }
+  EXPECT_TRUE(run.notes.empty());
+  EXPECT_EQ(run.value("substeps"), 1);
+}
+
+TEST(CarriedBody, GoesWithTheObstacleThatItsClampsLieIn) {
+  v1::Case c = rolling_tank<2>(Word::rigid, 1e9);
+  c.mutable_fluid()->clear_tank_motion();
+  v1::Obstacle& obstacle = *c.mutable_fluid()->add_obstacle();
+  *obstacle.mutable_shape() = test::box({0.2, -0.1}, {0.4, 0});
+  v1::WallMotion& motion = *obstacle.mutable_motion();
+  motion.set_angle(0.2);
+  motion.set_frequency(1);
+  const auto model = make(c);
+  model->advance({.index = 0, .start = 0, .size = 0.2}, none(*model, 2));
+  EXPECT_LT(strayed<2>(*model, motion, 0.2), 1e-15);
+  EXPECT_GT(model->displacement().cwiseAbs().maxCoeff(), 0.01);
+  // Its other end in the tank, which stands still.
+  *c.mutable_solid()->mutable_body(0)->add_clamp() = test::box({0.28, 0.12}, {0.32, 0.16});
+  EXPECT_THROW(static_cast<void>(motion_of(c, c.solid().body(0))), Error);
+  c.mutable_solid()->mutable_body(0)->mutable_motion();
+  EXPECT_FALSE(Motion<2>(motion_of(c, c.solid().body(0))).moves());
+}
+
+TEST(CarriedBody, WhatNothingHoldsOrMovesIsLeftAlone) {
+  v1::Case c = rolling_tank<2>(Word::fem, 1e6);
+  v1::Body& body = *c.mutable_solid()->mutable_body(0);
+  v1::Case still = c;
+  still.mutable_solid()->mutable_body(0)->mutable_motion();  // {}: stands still
+  body.clear_clamp();
+  for (const v1::Case& one : {c, still}) EXPECT_EQ(dynamic_cast<CarriedModel<2>*>(make(one).get()), nullptr);
+}
+
+}  // namespace
+}  // namespace cosurge
