@@ -25,11 +25,8 @@ namespace fs = std::filesystem;
 
 constexpr int exit_failed = 1;
 constexpr int exit_interrupted = 130;
-constexpr std::chrono::seconds grace{2};  // for solvers to end by themselves
-
-std::optional<std::string> why_cancelled() {
-  return interrupted() ? std::optional<std::string>("the run was interrupted") : std::nullopt;
-}
+constexpr std::chrono::milliseconds grace{2000};                 // for solvers to end by themselves
+constexpr std::chrono::milliseconds grace_of_interruption{200};  // the same, for a user who waits
 
 /// The endpoint where a solver that is started by hand is awaited; nothing where it is not.
 std::optional<std::string> by_hand(const RunOptions& options, const std::string& role) {
@@ -73,7 +70,10 @@ class Solvers {
     if (the_case.has_fluid()) fluid_.emplace(start(options, Role::fluid, sockets_.path(), folder));
     if (the_case.has_solid()) solid_.emplace(start(options, Role::solid, sockets_.path(), folder));
     for (auto* solver : {&fluid_, &solid_})
-      if (*solver) (*solver)->join(the_case.dimension(), {"save", "frame"}, why_cancelled);
+      if (*solver)
+        (*solver)->join(the_case.dimension(), {"save", "frame"},
+                        [this] { return joined_ ? overdue() : interrupted(); });
+    joined_ = true;
   }
 
   Participants participants() {
@@ -89,15 +89,28 @@ class Solvers {
     return sum;
   }
 
+  /// Ends those that have not ended; all hear of it before any is waited for.
   void stop(const std::string& reason) {
     for (auto* solver : {&fluid_, &solid_})
-      if (*solver) (*solver)->stop(reason, grace);
+      if (*solver) (*solver)->tell(reason);
+    for (auto* solver : {&fluid_, &solid_}) {
+      if (!*solver) continue;
+      if (interrupted())
+        left_behind_ |= !(*solver)->kill(reason, grace_of_interruption);
+      else
+        (*solver)->stop(reason, grace);
+    }
   }
+
+  /// Whether a solver still computes in a thread of this process.
+  bool left_behind() const { return left_behind_; }
 
  private:
   RunFolder sockets_;
   std::optional<Solver> fluid_;
   std::optional<Solver> solid_;
+  bool joined_ = false;
+  bool left_behind_ = false;
 };
 
 /// The new recorder of a run, with what the checkpoint's run had recorded when it was written.
@@ -154,6 +167,14 @@ int run_with(Solvers& solvers, const v1::Case& the_case, const fs::path& folder,
       recorder->flush();
       checkpoints.write();
     }
+  } catch (const Interrupted& interrupted) {
+    // Resumption goes on from the last frame: the window at hand is lost.
+    outcome = {
+        .status = "interrupted",
+        .reason = fmt::format("by {} at t = {:.6g} s, within a window: {}; resumption goes on from the "
+                              "last frame",
+                              interruption().value_or("a signal"), coupler.time(), interrupted.what())};
+    exit_status = exit_interrupted;
   } catch (const std::exception& error) {
     outcome = {.status = "failed", .reason = error.what()};
     exit_status = exit_failed;
@@ -184,8 +205,12 @@ int launch(const RunOptions& options, const v1::Case& the_case, const fs::path& 
            const Checkpoint* checkpoint) {
   note_interruptions();
   try {
-    Solvers solvers(options, the_case, folder);
-    return run_with(solvers, the_case, folder, checkpoint);
+    std::optional<Solvers> solvers(std::in_place, options, the_case, folder);
+    const int exit_status = run_with(*solvers, the_case, folder, checkpoint);
+    const bool left_behind = solvers->left_behind();
+    solvers.reset();
+    if (left_behind) std::_Exit(exit_status);  // a return would take from the thread what it computes with
+    return exit_status;
   } catch (const std::exception&) {
     if (!interrupted()) throw;
     say("interrupted before the run began\n");
