@@ -31,7 +31,8 @@ Channel::Channel(Channel&& other) noexcept = default;
 Channel::~Channel() = default;
 
 Channel Channel::listen(const std::string& endpoint, Options options) {
-  return {Line::listen(endpoint), std::move(options)};
+  auto line = Line::listen(endpoint, options.message_limit);
+  return {std::move(line), std::move(options)};
 }
 
 Channel Channel::connect(const Connection& connection, Options options) {
