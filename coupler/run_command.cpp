@@ -9,14 +9,13 @@
 #include "common/case_file.hpp"
 #include "common/solvers.hpp"
 #include "coupler/checkpoint.hpp"
+#include "coupler/conclusion.hpp"
 #include "coupler/interruption.hpp"
 #include "coupler/launcher.hpp"
-#include "coupler/lost_water.hpp"
 #include "coupler/progress.hpp"
 #include "coupler/recorder.hpp"
 #include "coupler/result_folder.hpp"
 #include "coupler/say.hpp"
-#include "coupler/summary.hpp"
 
 namespace cosurge {
 namespace {
@@ -124,21 +123,41 @@ std::unique_ptr<Recorder> make_recorder(const fs::path& folder, const v1::Case& 
   if (checkpoint == nullptr) return make(results.filename());
   const fs::path fresh = results.string() + ".new";
   fs::remove(fresh);  // of a resumption that was cut off
-  auto recorder = make(fresh.filename());
-  replay(results, *checkpoint, *recorder);
-  recorder->flush();  // also the rows after the last frame: from here on the old file is gone
-  fs::rename(fresh, results);
+  std::unique_ptr<Recorder> recorder;
+  try {
+    recorder = make(fresh.filename());
+    replay(results, *checkpoint, *recorder);
+    recorder->flush();  // also the rows after the last frame: from here on the old file is gone
+    fs::rename(fresh, results);
+  } catch (...) {
+    recorder.reset();
+    std::error_code none;
+    fs::remove(fresh, none);  // a full disk needs the room
+    throw;
+  }
   return recorder;
 }
 
-/// A linear model that has left its range (docs/method_solid.md, section 6).
-void warn_of_deflection(const Recorder& recorder) {
-  constexpr double small = 0.05;
-  const History* deflection = recorder.history("solid/largest_deflection");
-  if (deflection == nullptr || deflection->max().value <= small) return;
-  say("warning: unreliable result: a body bends by {:.3g} % of its length at t = {:.4g} s; "
-      "the model modal is linear and valid up to {:.0f} %; use solid.model = \"fem\"\n",
-      100 * deflection->max().value, deflection->max().time, 100 * small);
+/// All windows, and how it went.
+Outcome compute(const v1::Case& the_case, Coupler& coupler, Recorder& recorder,
+                CheckpointWriter& checkpoints) {
+  const auto by_signal = [&] {
+    return fmt::format("by {} at t = {:.6g} s", interruption().value_or("a signal"), coupler.time());
+  };
+  try {
+    Progress progress(the_case, coupler.members(), coupler.columns(), stdout);
+    if (coupler.run({&recorder, &checkpoints, &progress}, interrupted))
+      return {.status = "finished", .reason = ""};
+    recorder.flush();
+    checkpoints.write();
+    return {.status = "interrupted", .reason = by_signal()};
+  } catch (const Interrupted& interrupted) {
+    return {.status = "interrupted",
+            .reason = fmt::format("{}, within a window: {}; resumption goes on from the last frame",
+                                  by_signal(), interrupted.what())};
+  } catch (const std::exception& error) {
+    return {.status = "failed", .reason = error.what()};
+  }
 }
 
 /// The run once the solvers are there. Returns the exit status.
@@ -155,49 +174,12 @@ int run_with(Solvers& solvers, const v1::Case& the_case, const fs::path& folder,
 
   const auto recorder = make_recorder(folder, the_case, coupler, checkpoint);
   CheckpointWriter checkpoints(folder, the_case, coupler);
-  Outcome outcome{.status = "finished", .reason = ""};
-  int exit_status = 0;
-  try {
-    Progress progress(the_case, coupler.members(), coupler.columns(), stdout);
-    if (!coupler.run({recorder.get(), &checkpoints, &progress}, interrupted)) {
-      outcome = {.status = "interrupted",
-                 .reason = fmt::format("by {} at t = {:.6g} s", interruption().value_or("a signal"),
-                                       coupler.time())};
-      exit_status = exit_interrupted;
-      recorder->flush();
-      checkpoints.write();
-    }
-  } catch (const Interrupted& interrupted) {
-    // Resumption goes on from the last frame: the window at hand is lost.
-    outcome = {
-        .status = "interrupted",
-        .reason = fmt::format("by {} at t = {:.6g} s, within a window: {}; resumption goes on from the "
-                              "last frame",
-                              interruption().value_or("a signal"), coupler.time(), interrupted.what())};
-    exit_status = exit_interrupted;
-  } catch (const std::exception& error) {
-    outcome = {.status = "failed", .reason = error.what()};
-    exit_status = exit_failed;
-  }
+  Outcome outcome = compute(the_case, coupler, *recorder, checkpoints);
   outcome.exchange_seconds = solvers.exchange_seconds();
   solvers.stop(outcome.status == "finished" ? "the run is over" : outcome.reason);
-  recorder->flush();
-  write_summary(folder, *recorder, outcome);
-  say("{} at t = {:.6g} s after {} windows{}{}\n", outcome.status, coupler.time(), coupler.windows(),
-      outcome.reason.empty() ? "" : ": ", outcome.reason);
-  for (const std::string& note : coupler.notes()) say("{}\n", note);
-  if (const std::string lost = lost_water(*recorder); !lost.empty()) say("{}\n", lost);
-  if (coupler.unconverged() > 0)
-    say("{} of {} windows did not converge in {} iterations: the nearest one counts\n", coupler.unconverged(),
-        coupler.windows(), the_case.coupling().iteration().limit());
-  if (const InterfaceAccount& account = coupler.account();
-      account.created() > InterfaceAccount::much * account.passed())
-    say("not to be trusted: the coupling scheme itself has put {:.2g} J into the system, where {:.2g} J have "
-        "passed; take coupling.scheme = \"strong\" or what docs/stability.md has instead\n",
-        account.created(), account.passed());
-  warn_of_deflection(*recorder);
-  if (exit_status != 0) say("to go on: cosurge resume {}\n", folder.string());
-  return exit_status;
+  conclude(folder, coupler, *recorder, outcome);
+  if (outcome.status == "finished") return 0;
+  return outcome.status == "interrupted" ? exit_interrupted : exit_failed;
 }
 
 /// Starts the solvers and runs, from the beginning or from a checkpoint.
@@ -229,7 +211,8 @@ int run_command(const RunOptions& options) {
 int resume_command(const RunOptions& options) {
   const ResultFolder folder = ResultFolder::of_a_run(options.out);
   const Checkpoint checkpoint = Checkpoint::read(options.out);
-  require(checkpoint.time < checkpoint.the_case.time().end(), "{}: the run is finished", options.out);
+  require(checkpoint.time < checkpoint.the_case.time().end() || !concluded(options.out),
+          "{}: the run is finished", options.out);
   return launch(options, checkpoint.the_case, folder.path(), &checkpoint);
 }
 
