@@ -4,6 +4,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "coupler/checkpoint.hpp"
 #include "coupler/lost_water.hpp"
 #include "coupler/say.hpp"
 
@@ -56,7 +57,11 @@ void conclude(const std::filesystem::path& folder, const Coupler& coupler, Recor
   remark(coupler, recorder);
   say("{} at t = {:.6g} s after {} windows{}{}\n", outcome.status, coupler.time(), coupler.windows(),
       outcome.reason.empty() ? "" : ": ", outcome.reason);
-  if (outcome.status != "finished") say("to go on: cosurge resume {}\n", folder.string());
+  if (outcome.status == "finished") return;
+  if (std::filesystem::exists(folder / Checkpoint::name))
+    say("to go on: cosurge resume {}\n", folder.string());
+  else
+    say("there is no checkpoint to go on from: run the case again with another --out\n");
 }
 
 bool concluded(const std::filesystem::path& folder) {

@@ -164,7 +164,10 @@ Outcome compute(const v1::Case& the_case, Coupler& coupler, Recorder& recorder,
 int run_with(Solvers& solvers, const v1::Case& the_case, const fs::path& folder,
              const Checkpoint* checkpoint) {
   Coupler coupler(the_case, solvers.participants());
-  if (checkpoint != nullptr) coupler.restore(checkpoint->state);
+  if (checkpoint != nullptr) {
+    checkpoint->require_same_programs(coupler.members());
+    coupler.restore(checkpoint->state);
+  }
   say("{}\n", the_case.title());
   for (const Member& member : coupler.members())
     say("  {}: {} {}, {} particles\n", member.name, member.identity.program, member.identity.version,

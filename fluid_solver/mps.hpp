@@ -76,6 +76,7 @@ class Mps {
   void predict(double start, double dt);
   void search_neighbors(double time);
   void locate_bodies();
+  void check_state() const;
   void diffuse_and_collide(double dt);
   void find_free_surface();
   void set_source(double dt);
