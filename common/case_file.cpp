@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <optional>
 
 #include "common/case_overrides.hpp"
@@ -13,6 +12,7 @@
 #include "common/error.hpp"
 #include "common/snap_probes.hpp"
 #include "common/text_file.hpp"
+#include "common/toml_bounds.hpp"
 
 namespace cosurge {
 namespace {
@@ -50,6 +50,15 @@ std::string words(const EnumDescriptor& type) {
 
 const v1::Rule& rule_of(const FieldDescriptor& field) { return field.options().GetExtension(v1::rule); }
 
+/// Whether a number is the same as a double. (toml++ makes garbage of a whole number where it is not.)
+bool is_exact(const toml::node& node) {
+  if (!node.is_integer()) return true;
+  constexpr double end = 9223372036854775808.0;  // 2^63, behind the largest
+  const std::int64_t value = node.as_integer()->get();
+  const auto nearest = static_cast<double>(value);
+  return nearest < end && static_cast<std::int64_t>(nearest) == value;
+}
+
 /// One walk over a TOML tree and a message descriptor together; collects every error.
 class Walk {
  public:
@@ -61,7 +70,8 @@ class Walk {
     for (const auto& [key, node] : from) {
       const FieldDescriptor* field = type.FindFieldByName(std::string(key.str()));
       const std::string key_path = child(path, key.str());
-      errors_.places[key_path] = place(node, here);
+      if (field != nullptr || errors_.lines.size() < CaseErrors::most)
+        errors_.places[key_path] = place(node, here);
       if (field == nullptr) {
         errors_.add(key_path, "unknown key, allowed: " + field_names(type));
       } else if (field->is_repeated()) {
@@ -94,12 +104,11 @@ class Walk {
         return;
       case FieldDescriptor::CPPTYPE_INT32:
         if (!node.is_integer()) return errors_.add(path, "must be a whole number");
-        if (const auto value = number(node, path, field)) {
-          constexpr int most = std::numeric_limits<int>::max();
-          if (std::abs(*value) > most)
-            return errors_.add(path, fmt::format("{} must be <= {}", *value, most));
+        if (const std::int64_t value = node.as_integer()->get(); value != static_cast<std::int32_t>(value))
+          return errors_.add(
+              path, fmt::format("{} must be {}", value, value > 0 ? "<= 2147483647" : ">= -2147483648"));
+        if (const auto value = number(node, path, field))
           reflection.SetInt32(&into, &field, static_cast<int>(*value));
-        }
         return;
       case FieldDescriptor::CPPTYPE_BOOL:
         if (!node.is_boolean()) return errors_.add(path, "must be true or false");
@@ -154,7 +163,15 @@ class Walk {
       errors_.add(path, "must be a number");
       return std::nullopt;
     }
-    const double value = *node.value<double>();
+    if (!is_exact(node)) {
+      errors_.add(path,
+                  fmt::format("{} is a whole number that a double cannot hold; write {}.0 where the nearest "
+                              "one that it holds will do",
+                              node.as_integer()->get(), node.as_integer()->get()));
+      return std::nullopt;
+    }
+    const double value =
+        node.is_integer() ? static_cast<double>(node.as_integer()->get()) : node.as_floating_point()->get();
     const v1::Rule& rule = rule_of(field);
     const std::string unit = rule.has_unit() ? fmt::format(" [{}]", rule.unit()) : "";
     const auto bound = [&](bool ok, const char* relation, double limit) {
@@ -206,9 +223,19 @@ void resolve(Message& message) {
 }
 
 toml::table parse(const std::filesystem::path& file) {
+  constexpr std::uintmax_t most_bytes = 1 << 20;
+  std::error_code unknown;
+  const std::uintmax_t size = std::filesystem::file_size(file, unknown);
+  require(
+      unknown || size <= most_bytes,
+      "{}: has {:.3g} MB, a case has 1 MB at most: put outlines and tables into files of their own, beside "
+      "the case",
+      file.string(), 1e-6 * static_cast<double>(size));
   const std::string bytes = without_byte_order_mark(file_contents(file), file);
+  const std::string text = fmt::format("{}", fmt::join(lines_of(bytes), "\n")) + "\n";
+  require_short_keys(text, file.string());
   try {
-    return toml::parse(fmt::format("{}", fmt::join(lines_of(bytes), "\n")) + "\n", file.string());
+    return toml::parse(text, file.string());
   } catch (const toml::parse_error& error) {
     throw Error(fmt::format("{}:{}: {}", file.string(), error.source().begin.line, error.description()));
   }
@@ -218,8 +245,10 @@ toml::table parse(const std::filesystem::path& file) {
 
 v1::Case load_case(const std::string& path, const std::vector<std::string>& overrides) {
   std::filesystem::path file = path;
-  if (std::filesystem::is_directory(file)) file /= "case.toml";
-  require(std::filesystem::is_regular_file(file), "{}: no such case", file.string());
+  std::error_code cause;
+  if (std::filesystem::is_directory(file, cause)) file /= "case.toml";
+  const bool there = std::filesystem::is_regular_file(file, cause);
+  require(there, "{}: no such case{}", file.string(), cause ? ": " + cause.message() : "");
   toml::table root = parse(file);
   for (const std::string& text : overrides) apply_override(root, text);
 

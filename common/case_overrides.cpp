@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "common/error.hpp"
+#include "common/toml_bounds.hpp"
 
 namespace cosurge {
 namespace {
@@ -50,6 +51,7 @@ void apply_override(toml::table& root, const std::string& text) {
   require(equals != std::string::npos && equals > 0, "--set {}: must be key.path=value", text);
   const std::string key = text.substr(0, equals);
   const std::string source = "--set " + text;
+  require_short_keys(text, fmt::format("--set {:.60}", text));
   toml::table parsed = parse_value(source, text.substr(equals + 1));
   toml::node* node = &root;
   std::size_t start = 0;

@@ -8,11 +8,12 @@
 
 namespace cosurge {
 
-/// Sets one value, "key.path=value".
-/// @throws Error where the text is none, or leads through a value or to no entry of a list.
-void apply_override(toml::table& root, const std::string& text);
-
 /// What is set in a message, as a case file has it.
 toml::table tree_of(const google::protobuf::Message& message);
+
+/// Applies "key.path=value": `value` is TOML, or a bare word, which is a string; list entries are addressed
+/// by number ("output.probe.0.name"); tables are made where there are none.
+/// @throws Error where `text` has another form, or the way leads through a value.
+void apply_override(toml::table& root, const std::string& text);
 
 }  // namespace cosurge

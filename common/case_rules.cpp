@@ -318,6 +318,10 @@ void check_times(const v1::Case& c, CaseErrors& errors) {
 }  // namespace
 
 void CaseErrors::add(const std::string& key, const std::string& what) {
+  if (lines.size() >= most) {
+    ++more;
+    return;
+  }
   std::string around = key;
   while (!places.contains(around) && !around.empty()) {
     const auto dot = around.rfind('.');
@@ -327,7 +331,9 @@ void CaseErrors::add(const std::string& key, const std::string& what) {
 }
 
 void CaseErrors::raise() const {
-  if (!lines.empty()) throw Error(fmt::format("{}", fmt::join(lines, "\n")));
+  if (lines.empty()) return;
+  throw Error(fmt::format("{}{}", fmt::join(lines, "\n"),
+                          more > 0 ? fmt::format("\nand {} more errors", more) : std::string()));
 }
 
 void check_rules(const v1::Case& c, CaseErrors& errors) {

@@ -14,8 +14,12 @@ struct CaseErrors {
   int dimension = 2;
   std::map<std::string, std::string> places;  ///< key path -> "file:line"
   std::vector<std::string> lines;
+  std::size_t more = 0;  ///< errors beyond the lines
 
-  /// Adds "file:line: key: what", with the place of the key or of the nearest table around it.
+  static constexpr std::size_t most = 100;  ///< lines: nobody reads further
+
+  /// Adds "file:line: key: what", with the place of the key or of the nearest table around it; only counts
+  /// where there are `most` already.
   void add(const std::string& key, const std::string& what);
 
   /// @throws Error with all lines, if there are any.

@@ -31,7 +31,8 @@ Channel::Channel(Channel&& other) noexcept = default;
 Channel::~Channel() = default;
 
 Channel Channel::listen(const std::string& endpoint, Options options) {
-  return {Line::listen(endpoint), std::move(options)};
+  auto line = Line::listen(endpoint, options.message_limit);
+  return {std::move(line), std::move(options)};
 }
 
 Channel Channel::connect(const Connection& connection, Options options) {
@@ -100,6 +101,9 @@ zmq::message_t Channel::wait_for_message(const std::string& awaited) {
     waited += slept;
     traffic_.waiting += slept;
     if (arrived) return bytes;
+    if (cancelled_ && cancelled_())
+      throw Interrupted(fmt::format("{} was not waited for any longer ({} was awaited for {:.1f} s)", peer(),
+                                    awaited, waited));
     const auto cause = cause_of_end(bytes);
     if (bytes.size() > 0) return bytes;
     lost_ = cause.has_value();

@@ -53,6 +53,10 @@ class Channel {
   /// Says why the peer has ended, once it has; asked ten times a second while waiting.
   using PeerEnded = std::function<std::optional<std::string>()>;
 
+  /// Says whether to wait no longer, since the user has ended the run; asked ten times a second while
+  /// waiting.
+  using Cancelled = std::function<bool()>;
+
   /// Binds "ipc:///path" (at most 107 characters of path) or "tcp://address:port" (port "*": any free one),
   /// always with CURVE keys, made here. @throws Error
   static Channel listen(const std::string& endpoint, Options options);
@@ -73,6 +77,7 @@ class Channel {
 
   void set_peer(std::string name) { options_.peer = std::move(name); }
   void set_peer_ended(PeerEnded peer_ended) { peer_ended_ = std::move(peer_ended); }
+  void set_cancelled(Cancelled cancelled) { cancelled_ = std::move(cancelled); }
 
   /// Sends without waiting. @throws PeerLost; Error where the message exceeds the limit.
   void send(const google::protobuf::MessageLite& message);
@@ -84,7 +89,7 @@ class Channel {
   void send_bytes(std::string_view bytes);
 
   /// Sleeps until the next message is there. `awaited` says in errors what for.
-  /// @throws PeerLost; Error where the message is too large or cannot be decoded.
+  /// @throws PeerLost; Interrupted; Error where the message is too large or cannot be decoded.
   void receive(google::protobuf::MessageLite& message, const std::string& awaited);
 
  private:
@@ -97,6 +102,7 @@ class Channel {
   std::unique_ptr<Line> line_;
   Options options_;
   PeerEnded peer_ended_;
+  Cancelled cancelled_;
   Traffic traffic_;
   bool lost_ = false;
 };

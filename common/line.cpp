@@ -12,9 +12,11 @@ namespace cosurge {
 namespace {
 
 constexpr int heartbeat_interval = 250;  // [ms]
-constexpr int watched_events = ZMQ_EVENT_HANDSHAKE_SUCCEEDED | ZMQ_EVENT_HANDSHAKE_FAILED_NO_DETAIL |
-                               ZMQ_EVENT_HANDSHAKE_FAILED_PROTOCOL | ZMQ_EVENT_HANDSHAKE_FAILED_AUTH |
-                               ZMQ_EVENT_DISCONNECTED;
+constexpr int handshake_time = 3000;     // [ms] for whoever has connected over TCP to show its key
+constexpr int connect_time = 2000;       // [ms] until a coupler at whose gate others stand is tried again
+constexpr int watched_events = ZMQ_EVENT_LISTENING | ZMQ_EVENT_ACCEPTED | ZMQ_EVENT_HANDSHAKE_SUCCEEDED |
+                               ZMQ_EVENT_HANDSHAKE_FAILED_NO_DETAIL | ZMQ_EVENT_HANDSHAKE_FAILED_PROTOCOL |
+                               ZMQ_EVENT_HANDSHAKE_FAILED_AUTH | ZMQ_EVENT_DISCONNECTED;
 
 bool is_tcp(const std::string& endpoint) { return endpoint.starts_with("tcp://"); }
 
@@ -65,7 +67,7 @@ Line::~Line() {
   if (monitor_) zmq_socket_monitor(socket_.handle(), nullptr, 0);
 }
 
-std::unique_ptr<Line> Line::listen(const std::string& endpoint) {
+std::unique_ptr<Line> Line::listen(const std::string& endpoint, std::size_t message_limit) {
   check(endpoint);
   std::unique_ptr<Line> line(new Line(context_of_process()));
   line->accepts_ = true;
@@ -74,6 +76,8 @@ std::unique_ptr<Line> Line::listen(const std::string& endpoint) {
     line->server_key_ = keys.open.data();
     line->socket_.set(zmq::sockopt::curve_server, true);
     line->socket_.set(zmq::sockopt::curve_secretkey, keys.secret.data());
+    line->socket_.set(zmq::sockopt::maxmsgsize, static_cast<std::int64_t>(message_limit));
+    line->socket_.set(zmq::sockopt::handshake_ivl, handshake_time);
   }
   line->watch();
   try {
@@ -82,6 +86,7 @@ std::unique_ptr<Line> Line::listen(const std::string& endpoint) {
     throw Error(fmt::format("cannot listen at {}: {}", endpoint, error.what()));
   }
   line->endpoint_ = line->socket_.get(zmq::sockopt::last_endpoint);
+  line->read_news();  // of the port, before anybody comes
   return line;
 }
 
@@ -100,6 +105,7 @@ std::unique_ptr<Line> Line::connect(const Connection& connection) {
     line->socket_.set(zmq::sockopt::curve_publickey, keys.open.data());
     line->socket_.set(zmq::sockopt::curve_secretkey, keys.secret.data());
   }
+  line->socket_.set(zmq::sockopt::connect_timeout, connect_time);
   line->watch();
   try {
     line->socket_.connect(connection.endpoint);
@@ -129,19 +135,29 @@ void Line::watch() {
   if (zmq_socket_monitor(socket_.handle(), endpoint.c_str(), watched_events) != 0) throw zmq::error_t();
   monitor_ = zmq::socket_t(*context_, zmq::socket_type::pair);
   monitor_.set(zmq::sockopt::linger, 0);
+  // Where its queue is full, ZeroMQ's thread stops, and with it all lines.
+  monitor_.set(zmq::sockopt::rcvhwm, 0);
   monitor_.connect(endpoint);
 }
 
 bool Line::take(zmq::message_t& message) {
+  read_news();
   while (zmq_msg_recv(message.handle(), socket_.handle(), ZMQ_DONTWAIT) < 0) {
     if (zmq_errno() == EAGAIN) return false;
     if (zmq_errno() != EINTR) throw zmq::error_t();
   }
-  if (accepts_ && peer_descriptor_ < 0) peer_descriptor_ = zmq_msg_get(message.handle(), ZMQ_SRCFD);
+  if (accepts_ && peer_descriptor_ < 0) {
+    // A stranger may have left from the same descriptor just before.
+    read_news();
+    peer_descriptor_ = zmq_msg_get(message.handle(), ZMQ_SRCFD);
+    if (!gate_.knows(peer_descriptor_)) loss_ = "the connection was lost: it has ended or died";
+    gate_.shut();
+  }
   return true;
 }
 
 bool Line::put(zmq::message_t&& message) {
+  read_news();
   while (zmq_msg_send(message.handle(), socket_.handle(), ZMQ_DONTWAIT) < 0) {
     if (zmq_errno() == EAGAIN) return false;
     if (zmq_errno() != EINTR) throw zmq::error_t();
@@ -158,12 +174,14 @@ void Line::sleep(double seconds) {
 }
 
 std::optional<std::string> Line::loss() {
-  if (monitor_) read_news();
+  read_news();
   if (!loss_ && peer_closed_ && *peer_closed_) loss_ = "it has closed the connection";
   return loss_;
 }
 
+/// Also before every message, so that news of strangers do not pile up.
 void Line::read_news() {
+  if (!monitor_) return;
   zmq::message_t head;
   zmq::message_t address;
   while (monitor_.recv(head, zmq::recv_flags::dontwait) && monitor_.recv(address, zmq::recv_flags::none)) {
@@ -171,15 +189,25 @@ void Line::read_news() {
     std::int32_t value = 0;
     std::memcpy(&event, head.data(), sizeof event);
     std::memcpy(&value, head.data<char>() + sizeof event, sizeof value);
-    if (event == ZMQ_EVENT_HANDSHAKE_SUCCEEDED) {
-      connected_ = !accepts_;
-    } else if (event != ZMQ_EVENT_DISCONNECTED) {
-      trouble_ = "a connection failed in its handshake: one side has no key, or that of another run";
-      if (!accepts_) loss_ = trouble_;
-    } else if (accepts_ ? value == peer_descriptor_ : connected_) {
+    note(event, value);
+  }
+}
+
+void Line::note(int event, int value) {
+  if (event == ZMQ_EVENT_LISTENING) {
+    if (is_tcp(endpoint_)) gate_ = Gate(value);
+  } else if (event == ZMQ_EVENT_ACCEPTED) {
+    gate_.came(value);
+  } else if (event == ZMQ_EVENT_HANDSHAKE_SUCCEEDED) {
+    connected_ = !accepts_;
+  } else if (event != ZMQ_EVENT_DISCONNECTED) {
+    trouble_ = "a connection failed in its handshake: one side has no key, or that of another run";
+    if (!accepts_) loss_ = trouble_;
+  } else {
+    gate_.left(value);
+    if (accepts_ ? value == peer_descriptor_ : connected_)
       loss_ =
           fmt::format("the connection was lost: it has died, or has given no sign of life for {} s", silence);
-    }
   }
 }
 

@@ -9,6 +9,7 @@
 #include <zmq.hpp>
 
 #include "common/connection.hpp"
+#include "common/gate.hpp"
 
 namespace cosurge {
 
@@ -20,7 +21,10 @@ class Line {
   /// Longer than any delay of a thread on an overloaded machine, and than the passage of one message.
   static constexpr double silence = 3;  // [s]
 
-  static std::unique_ptr<Line> listen(const std::string& endpoint);
+  /// Over TCP, a peer that sends a message of more than `message_limit` bytes is cut off before the message is
+  /// read, and one that has not shown its key after some seconds; nobody else can connect once the first
+  /// message was taken.
+  static std::unique_ptr<Line> listen(const std::string& endpoint, std::size_t message_limit);
   static std::unique_ptr<Line> connect(const Connection& connection);
   static std::pair<std::unique_ptr<Line>, std::unique_ptr<Line>> pair();
 
@@ -52,6 +56,7 @@ class Line {
 
   void watch();
   void read_news();
+  void note(int event, int value);
 
   std::shared_ptr<zmq::context_t> context_;
   zmq::socket_t socket_;
@@ -61,6 +66,7 @@ class Line {
   bool accepts_ = false;    // listens, so that others than the peer may knock
   bool connected_ = false;  // as the one that connects
   int peer_descriptor_ = -1;
+  Gate gate_;
   std::optional<std::string> loss_;
   std::string trouble_;
 

@@ -7,49 +7,11 @@
 #include <set>
 
 #include "common/body_sites.hpp"
+#include "common/crossing_sides.hpp"
 #include "common/error.hpp"
 
 namespace cosurge {
 namespace {
-
-using Facet2 = Shape<2>::Facet;
-
-/// Twice the area of the triangle a b c, negative where it goes around clockwise.
-double twice_area(const Vec<2>& a, const Vec<2>& b, const Vec<2>& c) {
-  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-}
-
-bool cross(const Facet2& s, const Facet2& t) {
-  const auto parted = [](const Facet2& line, const Facet2& ends) {
-    return twice_area(line[0], line[1], ends[0]) * twice_area(line[0], line[1], ends[1]) < 0;
-  };
-  return parted(s, t) && parted(t, s);
-}
-
-/// Whether two sides lie on each other and go the same way. (The other way they part a hole from the
-/// outside.)
-bool doubled(const Facet2& s, const Facet2& t) {
-  const Vec<2> way = s[1] - s[0];
-  if (way.dot(t[1] - t[0]) <= 0) return false;
-  if (twice_area(s[0], s[1], t[0]) != 0 || twice_area(s[0], s[1], t[1]) != 0) return false;
-  return (t[0] - s[0]).dot(way) < way.squaredNorm() && (t[1] - s[0]).dot(way) > 0;
-}
-
-std::string crossing_sides(const std::vector<Facet2>& sides) {
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if (cross(sides[i], sides[j]))
-        return fmt::format("the polygon crosses itself: the sides from corners {} and {} (counted from 0)", j,
-                           i);
-      if (doubled(sides[i], sides[j]))
-        return fmt::format(
-            "the polygon goes around twice: the sides from corners {} and {} (counted from 0) "
-            "lie on each other",
-            j, i);
-    }
-  }
-  return "";
-}
 
 using Corner = std::array<double, 3>;
 

@@ -53,6 +53,9 @@ auto RemoteParticipant::call(std::string place, Call&& content) {
     ++cost_.calls;
     cost_.total += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return result;
+  } catch (const Interrupted& interrupted) {
+    abort(interrupted.what());
+    throw;
   } catch (const std::exception& error) {
     // The solver that failed or is lost has been named already.
     if (over_) throw;
@@ -69,6 +72,9 @@ RemoteParticipant::RemoteParticipant(Channel channel, const Expectation& expecte
   try {
     greet(expected);
   } catch (const PeerLost&) {
+    throw;
+  } catch (const Interrupted&) {
+    refuse("the run was interrupted");
     throw;
   } catch (const std::exception& error) {
     refuse(error.what());

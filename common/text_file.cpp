@@ -10,8 +10,10 @@
 namespace cosurge {
 
 std::string file_contents(const std::filesystem::path& file) {
-  require(std::filesystem::exists(file), "{}: no such file", file.string());
-  require(std::filesystem::is_regular_file(file), "{}: is no file that can be read", file.string());
+  std::error_code missing, other;
+  require(std::filesystem::exists(file, missing), "{}: no such file{}", file.string(),
+          missing ? ": " + missing.message() : "");
+  require(std::filesystem::is_regular_file(file, other), "{}: is no file that can be read", file.string());
   errno = 0;
   std::ifstream in(file, std::ios::binary);
   const int cause = errno;

@@ -1,16 +1,20 @@
 #include "coupler/checkpoint.hpp"
 
 #include <H5Cpp.h>
+#include <zlib.h>
 
 #include <cmath>
 #include <fstream>
 #include <sstream>
+#include <string_view>
 
 #include "common/error.hpp"
 #include "common/state_bytes.hpp"
 #include "common/version.hpp"
+#include "coupler/build_id.hpp"
 #include "coupler/replace_file.hpp"
 #include "coupler/result_file.hpp"
+#include "coupler/say.hpp"
 
 namespace cosurge {
 namespace {
@@ -18,6 +22,67 @@ namespace {
 constexpr int layout = 5;  // of states: to be raised whenever what is saved, or its order, changes
 
 std::string signature() { return fmt::format("cosurge checkpoint {}, layout {}", version, layout); }
+
+constexpr std::string_view mark = "cosurge checkpoint, sealed\n";
+
+std::uint32_t checksum(std::initializer_list<std::string_view> parts) {
+  uLong sum = crc32_z(0, nullptr, 0);
+  for (const std::string_view part : parts)
+    sum = crc32_z(sum, reinterpret_cast<const Bytef*>(part.data()), part.size());
+  return static_cast<std::uint32_t>(sum);
+}
+
+/// What the checkpoint in a file says, once its length and checksum are right. @throws Error
+std::string content_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  require(file.is_open(), "{}: cannot be read", path.string());
+  std::ostringstream text;
+  text << file.rdbuf();
+  const std::string all = text.str();
+  require(all.starts_with(mark), "{}: is no checkpoint of cosurge {}, or is damaged", path.string(), version);
+  std::uint64_t length = 0;
+  std::uint32_t sum = 0;
+  constexpr std::size_t seal = sizeof length + sizeof sum;
+  const std::string_view sealed = std::string_view(all).substr(mark.size());
+  require(sealed.size() >= seal, "{}: is damaged: it ends after {} bytes", path.string(), all.size());
+  StateReader head(sealed.substr(0, seal));
+  head.get(length);
+  head.get(sum);
+  const std::string_view content = sealed.substr(seal);
+  require(content.size() == length, "{}: is damaged: it has {} bytes instead of {}", path.string(),
+          content.size(), length);
+  const std::uint32_t found = checksum({content});
+  require(found == sum, "{}: is damaged: its checksum is {:08x} instead of {:08x}", path.string(), found,
+          sum);
+  return std::string(content);
+}
+
+Checkpoint decode(const std::string& content, const std::filesystem::path& path) {
+  StateReader bytes(content);
+  std::string found;
+  bytes.get(found);
+  require(found == signature(),
+          "{}: it is of another version, \"{}\", and this is \"{}\": resume with the version that wrote it",
+          path.string(), found, signature());
+  Checkpoint checkpoint;
+  std::string serialized;
+  std::uint64_t count = 0;
+  bytes.get(checkpoint.build);
+  bytes.get(count);
+  for (std::uint64_t k = 0; k < count; ++k) {
+    Checkpoint::Solver solver;
+    for (std::string* word : {&solver.name, &solver.program, &solver.version}) bytes.get(*word);
+    checkpoint.solvers.push_back(solver);
+  }
+  bytes.get(serialized);
+  bytes.get(checkpoint.time);
+  bytes.get(checkpoint.windows);
+  bytes.get(checkpoint.frames);
+  bytes.get(checkpoint.state);
+  bytes.finish();
+  require(checkpoint.the_case.ParseFromString(serialized), "{}: its case cannot be read", path.string());
+  return checkpoint;
+}
 
 /// That a dataset reaches as far as the checkpoint says.
 std::vector<hsize_t> require_length(const H5::DataSet& dataset, const std::string& name, std::uint64_t needed,
@@ -112,39 +177,74 @@ void replay_file(const H5::H5File& file, const Checkpoint& checkpoint, Recorder&
 void Checkpoint::write(const std::filesystem::path& folder) const {
   StateWriter head;
   head.put(signature());
+  head.put(build);
+  head.put(static_cast<std::uint64_t>(solvers.size()));
+  for (const Solver& solver : solvers)
+    for (const std::string* word : {&solver.name, &solver.program, &solver.version}) head.put(*word);
   head.put(the_case.SerializeAsString());
   head.put(time);
   head.put(windows);
   head.put(frames);
   head.put(static_cast<std::uint64_t>(state.size()));  // as a string is put, but that it is not copied
-  replace_file(folder / name, {head.take(), state});
+  const std::string content = head.take();
+  StateWriter seal;
+  seal.put(static_cast<std::uint64_t>(content.size() + state.size()));
+  seal.put(checksum({content, state}));
+  // The one before stays under a second name; where the file system has no such names, there is none.
+  const std::filesystem::path kept = folder / (std::string(name_before) + ".new");
+  std::error_code none;
+  std::filesystem::remove(kept, none);
+  std::filesystem::create_hard_link(folder / name, kept, none);
+  replace_file(folder / name, {mark, seal.take(), content, state});
+  std::filesystem::rename(kept, folder / name_before, none);
 }
 
 Checkpoint Checkpoint::read(const std::filesystem::path& folder) {
-  const std::filesystem::path path = folder / name;
-  std::ifstream file(path, std::ios::binary);
-  require(file.is_open(), "{}: no checkpoint there to resume from", path.string());
-  std::ostringstream text;
-  text << file.rdbuf();
-  const std::string all = text.str();
-  StateReader bytes(all);
-  std::string found;
-  std::string serialized;
-  Checkpoint checkpoint;
-  bytes.get(found);
-  require(found == signature(), "{}: it is of another case or build, not of {}", path.string(), signature());
-  bytes.get(serialized);
-  bytes.get(checkpoint.time);
-  bytes.get(checkpoint.windows);
-  bytes.get(checkpoint.frames);
-  bytes.get(checkpoint.state);
-  bytes.finish();
-  require(checkpoint.the_case.ParseFromString(serialized), "{}: its case cannot be read", path.string());
+  const std::filesystem::path last = folder / name, before = folder / name_before;
+  const bool some = std::filesystem::exists(last) || std::filesystem::exists(before);
+  require(some, "{}: no checkpoint there to resume from", last.string());
+  std::string content;
+  try {
+    content = content_of(last);
+  } catch (const Error& damage) {
+    try {
+      content = content_of(before);
+    } catch (const Error& second) {
+      throw Error(fmt::format("{}; {}: the run cannot be resumed; run the case again with another --out",
+                              damage.what(), second.what()));
+    }
+    say("warning: {}; the checkpoint before it takes its place\n", damage.what());
+    std::filesystem::rename(before, last);
+  }
+  Checkpoint checkpoint = decode(content, last);
+  if (checkpoint.build != build_id())
+    say("warning: {} is of another build of cosurge {} ({:.12}, this is {:.12}): numbers may differ in their "
+        "last "
+        "digits from those of a run that one build does from its start\n",
+        last.string(), version, checkpoint.build, build_id());
   return checkpoint;
 }
 
+void Checkpoint::require_same_programs(const std::vector<Member>& members) const {
+  require(members.size() == solvers.size(), "the checkpoint is of {} solvers, the case has {}",
+          solvers.size(), members.size());
+  for (std::size_t k = 0; k < members.size(); ++k) {
+    const Identity& here = members[k].identity;
+    require(here.program == solvers[k].program && here.version == solvers[k].version,
+            "the state of the {0} in the checkpoint is of {1} {2}, and the {0} solver here is {3} {4}: "
+            "resume with "
+            "the program of the run (--{0} PROGRAM or --by-hand {0}, where it is not Cosurge's own)",
+            solvers[k].name, solvers[k].program, solvers[k].version, here.program, here.version);
+  }
+}
+
 void CheckpointWriter::write() {
-  Checkpoint{.the_case = case_,
+  std::vector<Checkpoint::Solver> solvers;
+  for (const Member& member : coupler_.members())
+    solvers.push_back({member.name, member.identity.program, member.identity.version});
+  Checkpoint{.build = build_id(),
+             .solvers = std::move(solvers),
+             .the_case = case_,
              .time = coupler_.time(),
              .windows = coupler_.windows(),
              .frames = coupler_.frames(),

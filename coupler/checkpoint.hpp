@@ -11,18 +11,34 @@ namespace cosurge {
 /// A run at one instant: the resolved case and the state of coupler and participants.
 struct Checkpoint {
   static constexpr const char* name = "checkpoint";
+  static constexpr const char* name_before = "checkpoint.old";  ///< of the one before
 
+  /// A solver of the run; its state is for the same program only.
+  struct Solver {
+    std::string name;  ///< "fluid" or "solid"
+    std::string program;
+    std::string version;
+  };
+
+  std::string build;  ///< that wrote it
+  std::vector<Solver> solvers;
   v1::Case the_case;
   double time = 0;            ///< [s]
   std::uint64_t windows = 0;  ///< rows of each history at that time
   std::uint64_t frames = 0;   ///< frames at that time
   std::string state;          ///< Coupler::save()
 
-  /// Replaces the checkpoint of `folder` in one go. @throws Error when it cannot be written.
+  /// Replaces the checkpoint of `folder` in one go, and keeps the one before. @throws Error when it cannot be
+  /// written.
   void write(const std::filesystem::path& folder) const;
 
-  /// @throws Error when there is none, or it is of another version of Cosurge.
+  /// The last one; where it is damaged, the one before takes its place, and a warning says so. Warns where it
+  /// is of another build of the same version.
+  /// @throws Error when there is none, none is whole, or it is of another version of Cosurge.
   static Checkpoint read(const std::filesystem::path& folder);
+
+  /// @throws Error unless `members` are the programs that the state is of.
+  void require_same_programs(const std::vector<Member>& members) const;
 };
 
 /// Keeps a checkpoint of the last frame.

@@ -75,45 +75,57 @@ Solver Solver::thread(std::unique_ptr<Participant> participant, double patience,
   auto [near, far] = Channel::pair({.peer = solver_name(role), .patience = patience},
                                    {.peer = "the coupler", .patience = patience_of_solver});
   Solver solver(role, token, std::move(near));
-  solver.thread_ =
-      std::thread([served = std::move(participant), token, threads, wire = std::move(far)]() mutable {
-        set_threads(threads);
-        try {
-          serve(*served, wire, token);
-        } catch (const std::exception&) {
-          // The coupler has been told, or is what ended the run.
-        }
-      });
+  std::promise<void> over;
+  solver.thread_over_ = over.get_future();
+  solver.thread_ = std::thread([served = std::move(participant), token, threads, wire = std::move(far),
+                                end = std::move(over)]() mutable {
+    set_threads(threads);
+    try {
+      serve(*served, wire, token);
+    } catch (const std::exception&) {
+      // The coupler has been told, or is what ended the run.
+    }
+    end.set_value_at_thread_exit();
+  });
   return solver;
 }
 
 Solver::~Solver() { stop("it has ended", std::chrono::milliseconds(500)); }
 
 RemoteParticipant& Solver::join(int dimension, const std::vector<std::string>& capabilities,
-                                Channel::PeerEnded cancelled) {
-  const auto joined = std::make_shared<bool>(false);
-  const auto ended = [process = process_.get(), cancelled = std::move(cancelled),
-                      joined]() -> std::optional<std::string> {
-    if (cancelled && !*joined)
-      if (auto why = cancelled()) return why;
+                                Channel::Cancelled cancelled) {
+  const auto ended = [process = process_.get()]() -> std::optional<std::string> {
     return process ? process->ended() : std::nullopt;
   };
   Channel channel = std::move(*channel_);
   channel_.reset();
+  channel.set_cancelled(std::move(cancelled));
   participant_ = std::make_unique<RemoteParticipant>(
       std::move(channel),
       RemoteParticipant::Expectation{
           .role = role_, .token = token_, .dimension = dimension, .capabilities = capabilities},
       ended);
-  *joined = true;
   return *participant_;
 }
 
-bool Solver::stop(const std::string& reason, std::chrono::milliseconds grace) {
+void Solver::tell(const std::string& reason) {
   if (participant_) participant_->abort(reason);
   channel_.reset();
+}
+
+bool Solver::stop(const std::string& reason, std::chrono::milliseconds grace) {
+  tell(reason);
   if (thread_.joinable()) thread_.join();
   return process_ ? process_->stop(grace) : true;
+}
+
+bool Solver::kill(const std::string& reason, std::chrono::milliseconds grace) {
+  tell(reason);
+  if (process_) process_->kill(grace);
+  if (!thread_.joinable()) return true;
+  const bool over = thread_over_.wait_for(grace) == std::future_status::ready;
+  over ? thread_.join() : thread_.detach();
+  return over;
 }
 
 }  // namespace cosurge

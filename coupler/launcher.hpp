@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <future>
 #include <memory>
 #include <string>
 #include <thread>
@@ -55,19 +56,26 @@ class Solver {
   /// The command that starts the solver by hand.
   const std::string& how_to_start() const { return how_to_start_; }
 
-  /// Waits for the solver and welcomes it; gives up once `cancelled` says why, which is asked while waiting
-  /// for Hello.
-  /// @throws as RemoteParticipant.
+  /// Waits for the solver and welcomes it; gives up once `cancelled` says so, as do all later calls.
+  /// @throws as RemoteParticipant; Interrupted.
   RemoteParticipant& join(int dimension, const std::vector<std::string>& capabilities,
-                          Channel::PeerEnded cancelled = {});
+                          Channel::Cancelled cancelled = {});
 
   /// After join().
   RemoteParticipant& participant() { return *participant_; }
   const RemoteParticipant& participant() const { return *participant_; }
 
+  /// Tells the solver that the run is over, and why, if it has not ended. Does not wait.
+  void tell(const std::string& reason);
+
   /// Ends the solver if it has not ended: tells it why, waits `grace`, then uses force on a process. True
   /// where it had ended without an error (always, for one started by hand).
   bool stop(const std::string& reason, std::chrono::milliseconds grace);
+
+  /// As stop(), but in a fraction of a second whatever the solver does: a process that has not ended after
+  /// `grace` is killed, a thread is left behind. False for such a thread: this program must then end without
+  /// a look back (std::_Exit).
+  bool kill(const std::string& reason, std::chrono::milliseconds grace);
 
  private:
   Solver(Role role, std::string token, Channel channel);
@@ -78,6 +86,7 @@ class Solver {
   std::string how_to_start_;
   std::unique_ptr<SolverProcess> process_;
   std::thread thread_;
+  std::future<void> thread_over_;     // ready at the end of the thread
   std::unique_ptr<Channel> channel_;  // until join()
   std::unique_ptr<RemoteParticipant> participant_;
 };

@@ -2,22 +2,19 @@
 
 #include <fmt/ranges.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <map>
-#include <sstream>
 #include <thread>
 
 #include "common/case_file.hpp"
 #include "common/error.hpp"
 #include "common/solvers.hpp"
 #include "common/threads.hpp"
+#include "coupler/map_cell.hpp"
 #include "coupler/replace_file.hpp"
 #include "coupler/swing.hpp"
+#include "coupler/work_processes.hpp"
 
 namespace cosurge {
 namespace {
@@ -62,12 +59,6 @@ Axis read_axis(const std::string& text) {
   return axis;
 }
 
-std::string file_name(const std::vector<std::string>& cell) {
-  std::string name = fmt::format("{}", fmt::join(cell, "_"));
-  std::replace(name.begin(), name.end(), '/', '+');
-  return name;
-}
-
 /// Every combination of values, the last axis the fastest.
 std::vector<std::vector<std::string>> cells(const std::vector<Axis>& axes) {
   std::vector<std::vector<std::string>> grid = {{}};
@@ -104,23 +95,22 @@ std::string row_of(const std::vector<std::string>& cell) {
   return fmt::format("{}", fmt::join(values, ","));
 }
 
+std::string refusal(const std::string& reason) { return "refused,0,0,0,0,0,0,0,0,0,0,0,0," + quoted(reason); }
+
 /// Whether a cell was computed to some end: neither refused nor blown up.
 bool has_run(const std::string& row) { return !row.starts_with("refused") && !row.starts_with("blown_up"); }
 
 /// The row of a cell behind its values.
-std::string run_cell(const MapOptions& options, const std::vector<std::string>& settings) {
-  std::vector<std::string> overrides = options.overrides;
-  overrides.insert(overrides.end(), settings.begin(), settings.end());
+std::string run_cell(const v1::Case& the_case) {
   set_threads(1);
   const auto fluid = make_fluid_solver();
   const auto solid = make_solid_solver();
   std::unique_ptr<Coupler> coupler;
   try {
-    const v1::Case the_case = load_case(options.case_path, overrides);
     require(the_case.has_fluid() && the_case.has_solid(), "the case needs a [fluid] and a [solid]");
     coupler = std::make_unique<Coupler>(the_case, Participants{fluid.get(), solid.get()});
   } catch (const std::exception& error) {
-    return "refused,0,0,0,0,0,0,0,0,0,0,0,0," + quoted(error.what());
+    return refusal(error.what());
   }
   Swing swing(*coupler);
   std::string reason;
@@ -136,6 +126,30 @@ std::string run_cell(const MapOptions& options, const std::vector<std::string>& 
                      swing.amplitude(), swing.peak(), swing.peak_time(), processor_seconds(), quoted(reason));
 }
 
+/// Runs a cell, unless the map has its row already.
+void fill_cell(const MapOptions& options, const std::vector<std::string>& settings, const MapCell& cell) {
+  std::vector<std::string> overrides = options.overrides;
+  overrides.insert(overrides.end(), settings.begin(), settings.end());
+  v1::Case the_case;
+  try {
+    the_case = load_case(options.case_path, overrides);
+  } catch (const std::exception& error) {
+    return cell.write("", refusal(error.what()));
+  }
+  const std::string identity = MapCell::identity(the_case);
+  if (!cell.has(identity)) cell.write(identity, run_cell(the_case));
+}
+
+/// Values of keys for one cell.
+std::vector<std::string> settings_of(const std::vector<Axis>& axes, const std::vector<std::string>& values) {
+  std::vector<std::string> settings;
+  for (std::size_t a = 0; a < axes.size(); ++a) {
+    const std::vector<std::string> keys = split(axes[a].key, '/'), parts = split(values[a], '/');
+    for (std::size_t n = 0; n < keys.size(); ++n) settings.push_back(keys[n] + "=" + parts.at(n));
+  }
+  return settings;
+}
+
 }  // namespace
 
 int map_command(const MapOptions& options) {
@@ -147,58 +161,23 @@ int map_command(const MapOptions& options) {
   const auto grid = cells(axes);
   const fs::path parts = options.out + ".cells";  // a file each, so that an interrupted map goes on
   fs::create_directories(parts);
-  const auto part = [&](std::size_t k) { return parts / file_name(grid[k]); };
-  const int cores = options.cores > 0 ? options.cores : static_cast<int>(std::thread::hardware_concurrency());
-
-  std::map<pid_t, std::size_t> running;
-  std::size_t next = 0;
-  const auto wait_for_one = [&] {
-    int status = 0;
-    const pid_t pid = waitpid(-1, &status, 0);
-    const std::size_t k = running.at(pid);
-    running.erase(pid);
-    if (status != 0)
-      replace_file(part(k),
-                   {fmt::format("blown_up,0,0,0,0,0,0,0,0,0,0,0,0,\"its process ended with {}\"", status)});
-    std::ifstream file(part(k));
-    std::string row;
-    std::getline(file, row);
-    fmt::print("{}: {}\n", fmt::join(grid[k], ", "), row.substr(0, 90));
+  std::vector<MapCell> files;
+  for (const auto& values : grid) files.emplace_back(parts, settings_of(axes, values));
+  const auto say_row = [&](std::size_t k) {
+    fmt::print("{}: {}\n", fmt::join(grid[k], ", "), files[k].row().substr(0, 90));
     std::fflush(stdout);
   };
-  while (next < grid.size() || !running.empty()) {
-    if (next == grid.size() || static_cast<int>(running.size()) == cores) {
-      wait_for_one();
-      continue;
-    }
-    const std::size_t k = next++;
-    if (fs::exists(part(k))) continue;
-    const pid_t pid = fork();
-    require(pid >= 0, "no process for a cell: {}", std::strerror(errno));
-    if (pid > 0) {
-      running[pid] = k;
-      continue;
-    }
-    std::vector<std::string> settings;
-    for (std::size_t a = 0; a < axes.size(); ++a) {
-      const std::vector<std::string> keys_of_axis = split(axes[a].key, '/'), values = split(grid[k][a], '/');
-      for (std::size_t n = 0; n < keys_of_axis.size(); ++n)
-        settings.push_back(keys_of_axis[n] + "=" + values.at(n));
-    }
-    int status = 1;
-    try {
-      replace_file(part(k), {run_cell(options, settings)});
-      status = 0;
-    } catch (...) {
-    }
-    _exit(status);
-  }
+  const auto fill = [&](std::size_t k) { fill_cell(options, settings_of(axes, grid[k]), files[k]); };
+  const auto ended = [&](std::size_t k, const std::string& fault) {
+    if (!fault.empty()) files[k].write("", "blown_up,0,0,0,0,0,0,0,0,0,0,0,0," + quoted(fault));
+    say_row(k);
+  };
+  const int cores = options.cores > 0 ? options.cores : static_cast<int>(std::thread::hardware_concurrency());
+  in_processes(grid.size(), cores, fill, ended);
   std::string table = fmt::format("# {}\n{}\n", options.note, head);
   std::size_t failed = 0;
   for (std::size_t k = 0; k < grid.size(); ++k) {
-    std::ifstream file(part(k));
-    std::string row;
-    std::getline(file, row);
+    const std::string row = files[k].row();
     failed += has_run(row) ? 0 : 1;
     table += fmt::format("{},{}\n", row_of(grid[k]), row);
   }

@@ -37,8 +37,9 @@ void replace_file(const std::filesystem::path& path, std::initializer_list<std::
   written = written && reaches_disk(file);
   const int cause = errno;
   ::close(file);
-  require(written, "{}: cannot be written: {}", fresh.string(), reason(cause));
   std::error_code renamed;
+  if (!written) std::filesystem::remove(fresh, renamed);  // a full disk needs the room
+  require(written, "{}: cannot be written: {}", fresh.string(), reason(cause));
   std::filesystem::rename(fresh, path, renamed);
   require(!renamed, "{}: cannot be replaced: {}", path.string(), renamed.message());
 }

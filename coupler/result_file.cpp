@@ -1,7 +1,5 @@
 #include "coupler/result_file.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <system_error>
@@ -15,22 +13,6 @@ namespace {
 constexpr hsize_t rows_a_chunk = 1024;
 constexpr hsize_t particles_a_chunk = 65536;
 constexpr int deflate_level = 4;
-
-/// Locks nothing, and keeps the changed index in memory until flush().
-H5::FileAccPropList readable_at_any_time() {
-  H5::FileAccPropList access;
-  access.setLibverBounds(H5F_LIBVER_EARLIEST, H5F_LIBVER_LATEST);
-  H5Pset_file_locking(access.getId(), false, true);
-  H5AC_cache_config_t cache{};
-  cache.version = H5AC__CURR_CACHE_CONFIG_VERSION;
-  H5Pget_mdc_config(access.getId(), &cache);
-  cache.evictions_enabled = false;
-  cache.incr_mode = H5C_incr__off;
-  cache.flash_incr_mode = H5C_flash_incr__off;
-  cache.decr_mode = H5C_decr__off;
-  H5Pset_mdc_config(access.getId(), &cache);
-  return access;
-}
 
 H5::StrType text_type() {
   H5::StrType type(H5::PredType::C_S1, H5T_VARIABLE);
@@ -70,13 +52,18 @@ void ResultFile::attempt(const std::string& doing, Action action) {
     throw Error(fmt::format("{}: {}: {}", path_, doing,
                             cause != 0 ? std::generic_category().message(cause) : exception.getDetailMsg()));
   }
+  if (order_ && order_->failure() != 0)
+    throw Error(fmt::format("{}: {}: {}", path_, doing, std::generic_category().message(order_->failure())));
 }
 
 ResultFile::ResultFile(const std::filesystem::path& path) : path_(path.string()) {
   H5::Exception::dontPrint();
   require(!std::filesystem::exists(path), "{}: exists already; results are never overwritten", path_);
   attempt("cannot be created", [&] {
-    file_ = H5::H5File(path_, H5F_ACC_EXCL, H5::FileCreatPropList::DEFAULT, readable_at_any_time());
+    H5::FileAccPropList access = OrderedFile::access();
+    access.setLibverBounds(H5F_LIBVER_EARLIEST, H5F_LIBVER_LATEST);
+    file_ = H5::H5File(path_, H5F_ACC_EXCL, H5::FileCreatPropList::DEFAULT, access);
+    order_.emplace(file_);
   });
 }
 
@@ -166,10 +153,7 @@ void ResultFile::append(const std::string& name, const Array& frame) {
 void ResultFile::flush() {
   attempt("cannot be flushed", [&] {
     file_.flush(H5F_SCOPE_GLOBAL);
-    void* descriptor = nullptr;
-    file_.getVFDHandle(&descriptor);
-    if (descriptor != nullptr && fsync(*static_cast<int*>(descriptor)) != 0 && errno != EINVAL)
-      throw H5::FileIException("fsync", "the disk did not take it");
+    order_->commit();
   });
 }
 

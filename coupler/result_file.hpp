@@ -5,11 +5,13 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "common/participant.hpp"
+#include "coupler/ordered_file.hpp"
 
 namespace cosurge {
 
@@ -17,12 +19,14 @@ namespace cosurge {
 std::vector<hsize_t> extent(const H5::DataSet& dataset);
 
 /// A file that grows. What was there at the last flush() can be read by any HDF5 reader at any time: while
-/// the run goes on, and after it was killed. For that
+/// the run goes on, during a flush, and after it was killed. For that
 /// - the writer takes no lock, and writes the oldest format, which knows no mark "open for writing";
-/// - nothing that the file's index says changes on disk before flush();
+/// - the file's index changes on disk in flush() only, in a safe order (ordered_file.hpp). Within it one
+/// dataset may be longer than another; what each has is right;
 /// - nothing that the index on disk points at is moved: series are not compressed, and frames are written
-/// once. A reader may still meet the file within a flush (a fraction of a millisecond), and must try again
-/// then. All calls throw Error when the file cannot be written.
+/// once.
+/// All calls throw Error when the file cannot be written, and again from then on; what was flushed before
+/// stays readable.
 class ResultFile {
  public:
   /// @throws Error when `path` exists.
@@ -55,6 +59,7 @@ class ResultFile {
 
   std::string path_;
   H5::H5File file_;
+  std::optional<OrderedFile> order_;
   std::map<std::string, H5::DataSet> growing_;
 };
 

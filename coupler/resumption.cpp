@@ -6,6 +6,7 @@
 #include "common/case_differences.hpp"
 #include "common/case_file.hpp"
 #include "common/error.hpp"
+#include "coupler/conclusion.hpp"
 #include "coupler/say.hpp"
 
 namespace cosurge {
@@ -23,8 +24,8 @@ bool may(const std::string& key) {
 }
 
 /// @throws Error with all changes that are not allowed, and where the end is not later than the checkpoint.
-void require_changes(const Checkpoint& checkpoint, const v1::Case& now,
-                     const std::vector<Difference>& changes) {
+void require_changes(const std::filesystem::path& folder, const Checkpoint& checkpoint,
+                     const v1::Case& now, const std::vector<Difference>& changes) {
   std::vector<std::string> wrong;
   for (const Difference& change : changes)
     if (!may(change.key))
@@ -32,7 +33,8 @@ void require_changes(const Checkpoint& checkpoint, const v1::Case& now,
           fmt::format("--set {}: a resumption cannot change it ({}); it may change time, coupling, "
                       "output.frame_interval, fluid.courant, fluid.pressure and fluid.most_lost",
                       change.key, change.first));
-  if (now.time().end() <= checkpoint.time)
+  // A run may have been killed between its last checkpoint and its summary.
+  if (now.time().end() <= checkpoint.time && (!changes.empty() || concluded(folder)))
     wrong.push_back(
         changes.empty()
             ? fmt::format("the run is finished at t = {:.9g} s; --set time.end=... makes it longer",
@@ -71,7 +73,7 @@ Resumption resumption_of(const std::filesystem::path& folder, const std::vector<
   const v1::Case begun = checkpoint.the_case;
   if (!overrides.empty()) checkpoint.the_case = change_case(begun, overrides);
   const std::vector<Difference> changes = differences(begun, checkpoint.the_case);
-  require_changes(checkpoint, checkpoint.the_case, changes);
+  require_changes(folder, checkpoint, checkpoint.the_case, changes);
   tell_of_file(resumption.provenance, begun);
   for (const Difference& change : changes) {
     const std::string text = fmt::format("{}: {}, now {}", change.key, change.first, change.second);

@@ -10,15 +10,14 @@
 #include "common/error.hpp"
 #include "common/solvers.hpp"
 #include "coupler/checkpoint.hpp"
+#include "coupler/conclusion.hpp"
 #include "coupler/interruption.hpp"
 #include "coupler/launcher.hpp"
-#include "coupler/lost_water.hpp"
 #include "coupler/progress.hpp"
 #include "coupler/recorder.hpp"
 #include "coupler/result_folder.hpp"
 #include "coupler/resumption.hpp"
 #include "coupler/say.hpp"
-#include "coupler/summary.hpp"
 
 namespace cosurge {
 namespace {
@@ -27,11 +26,8 @@ namespace fs = std::filesystem;
 
 constexpr int exit_failed = 1;
 constexpr int exit_interrupted = 130;
-constexpr std::chrono::seconds grace{2};  // for solvers to end by themselves
-
-std::optional<std::string> why_cancelled() {
-  return interrupted() ? std::optional<std::string>("the run was interrupted") : std::nullopt;
-}
+constexpr std::chrono::milliseconds grace{2000};                 // for solvers to end by themselves
+constexpr std::chrono::milliseconds grace_of_interruption{200};  // the same, for a user who waits
 
 /// The endpoint where a solver that is started by hand is awaited; nothing where it is not.
 std::optional<std::string> by_hand(const RunOptions& options, const std::string& role) {
@@ -75,7 +71,10 @@ class Solvers {
     if (the_case.has_fluid()) fluid_.emplace(start(options, Role::fluid, sockets_.path(), folder));
     if (the_case.has_solid()) solid_.emplace(start(options, Role::solid, sockets_.path(), folder));
     for (auto* solver : {&fluid_, &solid_})
-      if (*solver) (*solver)->join(the_case.dimension(), {"save", "frame"}, why_cancelled);
+      if (*solver)
+        (*solver)->join(the_case.dimension(), {"save", "frame"},
+                        [this] { return joined_ ? overdue() : interrupted(); });
+    joined_ = true;
   }
 
   Participants participants() {
@@ -91,15 +90,28 @@ class Solvers {
     return sum;
   }
 
+  /// Ends those that have not ended; all hear of it before any is waited for.
   void stop(const std::string& reason) {
     for (auto* solver : {&fluid_, &solid_})
-      if (*solver) (*solver)->stop(reason, grace);
+      if (*solver) (*solver)->tell(reason);
+    for (auto* solver : {&fluid_, &solid_}) {
+      if (!*solver) continue;
+      if (interrupted())
+        left_behind_ |= !(*solver)->kill(reason, grace_of_interruption);
+      else
+        (*solver)->stop(reason, grace);
+    }
   }
+
+  /// Whether a solver still computes in a thread of this process.
+  bool left_behind() const { return left_behind_; }
 
  private:
   RunFolder sockets_;
   std::optional<Solver> fluid_;
   std::optional<Solver> solid_;
+  bool joined_ = false;
+  bool left_behind_ = false;
 };
 
 /// What is run: a case from its beginning, or a resumption.
@@ -120,33 +132,43 @@ std::unique_ptr<Recorder> make_recorder(const Job& job, const Coupler& coupler) 
   if (job.resumption == nullptr) return make(results.filename());
   const fs::path fresh = results.string() + ".new";
   fs::remove(fresh);  // of a resumption that was cut off
-  auto recorder = make(fresh.filename());
-  replay(results, job.resumption->checkpoint, *recorder);
-  recorder->flush();  // also the rows after the last frame: from here on the old file is gone
-  fs::rename(fresh, results);
+  std::unique_ptr<Recorder> recorder;
+  try {
+    recorder = make(fresh.filename());
+    replay(results, job.resumption->checkpoint, *recorder);
+    recorder->flush();  // also the rows after the last frame: from here on the old file is gone
+    fs::rename(fresh, results);
+  } catch (...) {
+    recorder.reset();
+    std::error_code none;
+    fs::remove(fresh, none);  // a full disk needs the room
+    throw;
+  }
   return recorder;
 }
 
-/// A linear model that has left its range (docs/method_solid.md, section 6).
-void warn_of_deflection(const Recorder& recorder) {
-  constexpr double small = 0.05;
-  const History* deflection = recorder.history("solid/largest_deflection");
-  if (deflection == nullptr || deflection->max().value <= small) return;
-  say("warning: unreliable result: a body bends by {:.3g} % of its length at t = {:.4g} s; "
-      "the model modal is linear and valid up to {:.0f} %; use solid.model = \"fem\"\n",
-      100 * deflection->max().value, deflection->max().time, 100 * small);
-}
-
-/// How to go on with a run that has not finished. A computation that has broken down would do so again.
-void advise(const fs::path& folder, bool broken_down, double checkpoint_time) {
-  if (broken_down)
-    say("cosurge resume {0} alone would fail at the same window. From t = {1:.6g} s on it may change "
-        "time.window, "
-        "coupling, fluid.courant, fluid.pressure and fluid.most_lost (--set); anything else needs a new "
-        "run\n",
-        folder.string(), checkpoint_time);
-  else
-    say("to go on: cosurge resume {}\n", folder.string());
+/// All windows, and how it went.
+Outcome compute(const v1::Case& the_case, Coupler& coupler, Recorder& recorder,
+                CheckpointWriter& checkpoints) {
+  const auto by_signal = [&] {
+    return fmt::format("by {} at t = {:.6g} s", interruption().value_or("a signal"), coupler.time());
+  };
+  try {
+    Progress progress(the_case, coupler.members(), coupler.columns(), stdout);
+    if (coupler.run({&recorder, &checkpoints, &progress}, interrupted))
+      return {.status = "finished", .reason = ""};
+    recorder.flush();
+    checkpoints.write();
+    return {.status = "interrupted", .reason = by_signal()};
+  } catch (const Interrupted& interrupted) {
+    return {.status = "interrupted",
+            .reason = fmt::format("{}, within a window: {}; resumption goes on from the last frame",
+                                  by_signal(), interrupted.what())};
+  } catch (const std::exception& error) {
+    return {.status = "failed",
+            .reason = error.what(),
+            .broken_down = dynamic_cast<const NumericalError*>(&error) != nullptr};
+  }
 }
 
 /// The run once the solvers are there. Returns the exit status.
@@ -154,7 +176,10 @@ int run_with(Solvers& solvers, const Job& job) {
   const auto& [the_case, folder, provenance, resumption] = job;
   say("{}\n", the_case.title());
   Coupler coupler(the_case, solvers.participants());
-  if (resumption != nullptr) coupler.restore(resumption->checkpoint.state, resumption->same_scheme);
+  if (resumption != nullptr) {
+    resumption->checkpoint.require_same_programs(coupler.members());
+    coupler.restore(resumption->checkpoint.state, resumption->same_scheme);
+  }
   for (const Member& member : coupler.members())
     say("  {}: {} {}, {} particles\n", member.name, member.identity.program, member.identity.version,
         member.setup.particles);
@@ -163,51 +188,24 @@ int run_with(Solvers& solvers, const Job& job) {
 
   const auto recorder = make_recorder(job, coupler);
   CheckpointWriter checkpoints(folder, the_case, coupler);
-  Outcome outcome{.status = "finished", .reason = ""};
-  int exit_status = 0;
-  bool broken_down = false;
-  try {
-    Progress progress(the_case, coupler.members(), coupler.columns(), stdout);
-    if (!coupler.run({recorder.get(), &checkpoints, &progress}, interrupted)) {
-      outcome = {.status = "interrupted",
-                 .reason = fmt::format("by {} at t = {:.6g} s", interruption().value_or("a signal"),
-                                       coupler.time())};
-      exit_status = exit_interrupted;
-      recorder->flush();
-      checkpoints.write();
-    }
-  } catch (const std::exception& error) {
-    outcome = {.status = "failed", .reason = error.what()};
-    exit_status = exit_failed;
-    broken_down = dynamic_cast<const NumericalError*>(&error) != nullptr;
-  }
+  Outcome outcome = compute(the_case, coupler, *recorder, checkpoints);
   outcome.exchange_seconds = solvers.exchange_seconds();
   solvers.stop(outcome.status == "finished" ? "the run is over" : outcome.reason);
-  recorder->flush();
-  write_summary(folder, *recorder, outcome);
-  say("{} at t = {:.6g} s after {} windows{}{}\n", outcome.status, coupler.time(), coupler.windows(),
-      outcome.reason.empty() ? "" : ": ", outcome.reason);
-  for (const std::string& note : coupler.notes()) say("{}\n", note);
-  if (const std::string lost = lost_water(*recorder); !lost.empty()) say("{}\n", lost);
-  if (coupler.unconverged() > 0)
-    say("{} of {} windows did not converge in {} iterations: the nearest one counts\n", coupler.unconverged(),
-        coupler.windows(), the_case.coupling().iteration().limit());
-  if (const InterfaceAccount& account = coupler.account();
-      account.created() > InterfaceAccount::much * account.passed())
-    say("not to be trusted: the coupling scheme itself has put {:.2g} J into the system, where {:.2g} J have "
-        "passed; take coupling.scheme = \"strong\" or what docs/stability.md has instead\n",
-        account.created(), account.passed());
-  warn_of_deflection(*recorder);
-  if (exit_status != 0) advise(folder, broken_down, checkpoints.time());
-  return exit_status;
+  conclude(folder, coupler, *recorder, checkpoints.time(), outcome);
+  if (outcome.status == "finished") return 0;
+  return outcome.status == "interrupted" ? exit_interrupted : exit_failed;
 }
 
 /// Starts the solvers and runs, from the beginning or from a checkpoint.
 int launch(const RunOptions& options, const Job& job) {
   note_interruptions();
   try {
-    Solvers solvers(options, job.the_case, job.folder);
-    return run_with(solvers, job);
+    std::optional<Solvers> solvers(std::in_place, options, job.the_case, job.folder);
+    const int exit_status = run_with(*solvers, job);
+    const bool left_behind = solvers->left_behind();
+    solvers.reset();
+    if (left_behind) std::_Exit(exit_status);  // a return would take from the thread what it computes with
+    return exit_status;
   } catch (const std::exception&) {
     if (!interrupted()) throw;
     say("interrupted before the run began\n");

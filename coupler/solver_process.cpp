@@ -136,12 +136,15 @@ std::optional<std::string> SolverProcess::ended() {
 
 bool SolverProcess::stop(milliseconds grace) {
   if (reap_within(grace)) return *status_ == 0;
-  kill(pid_, SIGTERM);
-  if (!reap_within(grace_after_term)) {
-    kill(pid_, SIGKILL);
-    while (!reap_within(milliseconds(1000))) continue;
-  }
+  ::kill(pid_, SIGTERM);
+  kill(grace_after_term);
   return false;
+}
+
+void SolverProcess::kill(milliseconds grace) {
+  if (reap_within(grace)) return;
+  ::kill(pid_, SIGKILL);
+  while (!reap_within(milliseconds(1000))) continue;
 }
 
 bool SolverProcess::reap_within(milliseconds time) {

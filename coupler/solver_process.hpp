@@ -46,6 +46,9 @@ class SolverProcess {
   /// True where it has ended by itself and without an error.
   bool stop(std::chrono::milliseconds grace);
 
+  /// Waits `grace` for the child to end by itself, then ends it (SIGKILL), also where it is stopped.
+  void kill(std::chrono::milliseconds grace);
+
  private:
   bool reap_within(std::chrono::milliseconds time);
 

@@ -79,6 +79,7 @@ class Mps {
   void search_neighbors(double time);
   void locate_bodies();
   void close_covered_faces();
+  void check_state() const;
   void diffuse_and_collide(double dt);
   void find_free_surface();
   void set_source(double dt);

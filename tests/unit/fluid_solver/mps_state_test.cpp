@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <cstring>
+#include <limits>
 #include <string>
 #include <vector>
 
+#include "common/error.hpp"
 #include "common/threads.hpp"
 #include "fluid_solver/mps.hpp"
 #include "tests/support/small_dam_break.hpp"
@@ -37,6 +40,41 @@ TEST(MpsState, ContinuesBitForBitInAFreshObject) {
   EXPECT_EQ(a.force, b.force);
   EXPECT_EQ(fresh.save(), whole.save());
   EXPECT_NE(whole.save(), Mps<2>(small_dam_break(), &plate, down).save());  // something happened
+}
+
+/// The state begins with places, velocities, pressures and so on, each with its length before it.
+TEST(MpsState, WithAnIdTwiceOrOutOfRangeOrAWrongLengthIsRefused) {
+  Mps<2> mps(small_dam_break(), &plate, down);
+  const std::string good = mps.save();
+  const auto skip = [&](std::size_t at, std::size_t size_of_entry) {
+    std::uint64_t count = 0;
+    std::memcpy(&count, good.data() + at, sizeof count);
+    return at + sizeof count + count * size_of_entry;
+  };
+  std::size_t ids = 0;
+  for (const std::size_t size :
+       {sizeof(Vec<2>), sizeof(Vec<2>), sizeof(double), sizeof(double), sizeof(Vec<2>), sizeof(Kind)})
+    ids = skip(ids, size);
+  const std::size_t first = ids + sizeof(std::uint64_t);
+  std::int32_t second_id = 0;
+  std::memcpy(&second_id, good.data() + first + sizeof second_id, sizeof second_id);
+  for (const std::int32_t id : {-1, mps.initial_size(), 1 << 30, second_id}) {
+    std::string bad = good;
+    std::memcpy(bad.data() + first, &id, sizeof id);
+    EXPECT_THROW(mps.restore(bad), Error) << id;
+  }
+  std::string shorter = good;  // one id less
+  std::uint64_t count = 0;
+  std::memcpy(&count, good.data() + ids, sizeof count);
+  --count;
+  std::memcpy(shorter.data() + ids, &count, sizeof count);
+  shorter.erase(first, sizeof second_id);
+  EXPECT_THROW(mps.restore(shorter), Error);
+  std::string endless = good;
+  const double infinite = std::numeric_limits<double>::infinity();
+  std::memcpy(endless.data() + sizeof(std::uint64_t), &infinite, sizeof infinite);
+  EXPECT_THROW(mps.restore(endless), Error);
+  EXPECT_NO_THROW(mps.restore(good));
 }
 
 /// Water on both sides of a plate, with the mixed source, whose pressure answers the plate's velocity.

@@ -1,0 +1,40 @@
+// Who may still knock at a TCP port on which one solver is awaited.
+#pragma once
+
+#include <cstddef>
+#include <set>
+
+namespace cosurge {
+
+/// Lets few connections wait for their handshake at a time, and none come once the gate is shut. A connection
+/// that comes to a closed gate gets no answer from the system; it succeeds by one of its repetitions where
+/// the gate opens again.
+class Gate {
+ public:
+  /// Connections at a time: a quarter of the files that this process may open, 256 at most.
+  static std::size_t most();
+
+  Gate() = default;  ///< of a line that has no port: without effect
+
+  /// `descriptor`: of the listening socket.
+  explicit Gate(int descriptor) : descriptor_(descriptor) {}
+
+  /// Descriptors of connections.
+  void came(int connection);
+  void left(int connection);
+
+  bool knows(int connection) const { return connections_.contains(connection); }
+
+  /// For good: connections that have been made stay.
+  void shut();
+
+ private:
+  void update();
+
+  int descriptor_ = -1;
+  std::set<int> connections_;
+  bool shut_ = false;
+  bool closed_ = false;
+};
+
+}  // namespace cosurge

@@ -1,0 +1,15 @@
+// TOML that the parser can take: it would recurse without bound into keys of very many parts.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace cosurge {
+
+constexpr std::size_t most_key_parts = 16;  ///< of a dotted key; those of cases have four at most
+
+/// @throws Error "SOURCE:line: ..." where a key of `text` has more parts than that.
+void require_short_keys(std::string_view text, const std::string& source);
+
+}  // namespace cosurge

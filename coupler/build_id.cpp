@@ -1,0 +1,52 @@
+#include "coupler/build_id.hpp"
+
+#include <fmt/format.h>
+#include <link.h>
+
+#include <cstring>
+
+namespace cosurge {
+namespace {
+
+/// The note of the GNU linker in a segment of notes; empty where it is not there.
+std::string note_in(const char* bytes, std::size_t size) {
+  const auto padded = [](std::size_t length) { return (length + 3) / 4 * 4; };
+  while (size >= sizeof(ElfW(Nhdr))) {
+    ElfW(Nhdr) note{};
+    std::memcpy(&note, bytes, sizeof note);
+    const std::size_t name = sizeof note, text = name + padded(note.n_namesz);
+    const std::size_t end = text + padded(note.n_descsz);
+    if (end > size) break;
+    if (note.n_type == NT_GNU_BUILD_ID && note.n_namesz == 4 && std::memcmp(bytes + name, "GNU", 4) == 0) {
+      std::string id;
+      for (std::size_t k = 0; k < note.n_descsz; ++k)
+        id += fmt::format("{:02x}", static_cast<unsigned char>(bytes[text + k]));
+      return id;
+    }
+    bytes += end;
+    size -= end;
+  }
+  return {};
+}
+
+/// The program itself is the first object that the system names.
+int look(dl_phdr_info* object, std::size_t, void* result) {
+  for (int k = 0; k < object->dlpi_phnum; ++k) {
+    const auto& segment = object->dlpi_phdr[k];
+    if (segment.p_type != PT_NOTE) continue;
+    const auto* bytes = reinterpret_cast<const char*>(object->dlpi_addr + segment.p_vaddr);
+    const std::string id = note_in(bytes, segment.p_memsz);
+    if (!id.empty()) *static_cast<std::string*>(result) = id;
+  }
+  return 1;
+}
+
+}  // namespace
+
+std::string build_id() {
+  std::string id;
+  dl_iterate_phdr(look, &id);
+  return id;
+}
+
+}  // namespace cosurge

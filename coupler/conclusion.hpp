@@ -1,0 +1,22 @@
+// The end of a run, however it went: what was recorded, the summary, and the last words.
+#pragma once
+
+#include <filesystem>
+
+#include "coupler/coupler.hpp"
+#include "coupler/recorder.hpp"
+#include "coupler/summary.hpp"
+
+namespace cosurge {
+
+/// Writes what has been recorded, and the summary, as far as the disk takes them, and says how the run went:
+/// remarks first; the last lines are its end with the reason and, unless it is finished, how to go on. Where
+/// something cannot be written, `outcome` says so afterwards.
+/// @param checkpoint_time of the last checkpoint [s]
+void conclude(const std::filesystem::path& folder, const Coupler& coupler, Recorder& recorder,
+              double checkpoint_time, Outcome& outcome);
+
+/// Whether the summary in `folder` says that the run is finished.
+bool concluded(const std::filesystem::path& folder);
+
+}  // namespace cosurge

@@ -1,0 +1,36 @@
+// The row of one cell of a map, kept until the map is complete.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "proto/case.pb.h"
+
+namespace cosurge {
+
+/// A file with three lines: the settings of the cell, what was computed, the row.
+class MapCell {
+ public:
+  /// `settings`: "key=value" of each key; they name the file in `folder`.
+  MapCell(const std::filesystem::path& folder, const std::vector<std::string>& settings);
+
+  /// What a row depends on: the case with all its values and tables, and the build.
+  static std::string identity(const v1::Case& the_case);
+
+  /// Whether the row of these settings and this identity is there.
+  bool has(const std::string& identity) const;
+
+  /// An empty identity: the row is not taken over by another map. @throws Error when it cannot be written.
+  void write(const std::string& identity, const std::string& row) const;
+
+  std::string row() const;  ///< empty where there is none
+
+ private:
+  std::string line(int number) const;
+
+  std::filesystem::path path_;
+  std::string settings_;
+};
+
+}  // namespace cosurge

@@ -1,0 +1,221 @@
+#include "coupler/ordered_file.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <limits>
+#include <map>
+#include <set>
+#include <string_view>
+#include <vector>
+
+namespace cosurge {
+namespace {
+
+using Bytes = std::vector<char>;
+
+/// A part of the index that waits for commit().
+struct Block {
+  H5FD_mem_t type;
+  Bytes bytes;
+};
+
+/// HDF5 takes the first member for the whole.
+struct Driver {
+  H5FD_t base{};
+  int file = -1;
+  haddr_t end_of_space = 0;  // that HDF5 has given to its objects
+  haddr_t end_of_file = 0;   // on the disk
+  int failure = 0;           // errno
+  std::map<haddr_t, Block> waiting;
+  std::set<haddr_t> written;  // where parts of the index lie on the disk
+};
+
+Driver& of(H5FD_t* base) { return *reinterpret_cast<Driver*>(base); }
+const Driver& of(const H5FD_t* base) { return *reinterpret_cast<const Driver*>(base); }
+
+void check(Driver& driver, bool done) {
+  if (!done && driver.failure == 0) driver.failure = errno == 0 ? EIO : errno;
+}
+
+/// From the last page to the first: who reads meanwhile, from the first to the last, never sees a count
+/// without what is counted.
+void put(Driver& driver, haddr_t address, const char* bytes, std::size_t size) {
+  constexpr haddr_t page = 4096;
+  haddr_t end = address + size;
+  while (driver.failure == 0 && end > address) {
+    const haddr_t begin = std::max(address, (end - 1) / page * page);
+    const ssize_t written =
+        pwrite(driver.file, bytes + (begin - address), end - begin, static_cast<off_t>(begin));
+    if (written < 0 && errno == EINTR) continue;
+    if (written >= 0 && written < static_cast<ssize_t>(end - begin)) errno = ENOSPC;
+    check(driver, written == static_cast<ssize_t>(end - begin));
+    end = begin;
+  }
+  driver.end_of_file = std::max(driver.end_of_file, address + size);
+}
+
+/// Without it a failing machine may keep a later write and lose an earlier one. EINVAL: not a file of a disk.
+void reach_disk(Driver& driver) {
+  if (driver.failure == 0) check(driver, fdatasync(driver.file) == 0 || errno == EINVAL);
+}
+
+/// Calls `action(of waiting, in waiting, in range, length)` for what both have.
+template <typename Action>
+void overlaps(Driver& driver, haddr_t address, std::size_t size, Action action) {
+  for (auto& [place, block] : driver.waiting) {
+    if (place >= address + size) break;
+    const haddr_t begin = std::max(place, address);
+    const haddr_t end = std::min(place + block.bytes.size(), address + size);
+    if (begin < end) action(block.bytes.data() + (begin - place), begin - address, end - begin);
+  }
+}
+
+/// Place in the order of a commit.
+int rank(const Driver& driver, haddr_t address, const Block& block) {
+  constexpr int levels = 256;
+  if (!driver.written.contains(address)) return 0;
+  if (block.type == H5FD_MEM_SUPER) return 1;
+  if (block.type == H5FD_MEM_OHDR) return 3 + levels;
+  const std::string_view text(block.bytes.data(), block.bytes.size());
+  if (text.starts_with("TREE")) return 2 + levels - static_cast<unsigned char>(text[5]);
+  return 2;
+}
+
+void commit(Driver& driver) {
+  std::multimap<int, haddr_t> order;
+  for (const auto& [address, block] : driver.waiting) order.emplace(rank(driver, address, block), address);
+  if (driver.failure == 0 && driver.end_of_space > driver.end_of_file)
+    check(driver, ftruncate(driver.file, static_cast<off_t>(driver.end_of_space)) == 0);
+  int last = 0;
+  for (const auto& [rank, address] : order) {
+    if (rank != last) reach_disk(driver);
+    last = rank;
+    const Bytes& bytes = driver.waiting.at(address).bytes;
+    put(driver, address, bytes.data(), bytes.size());
+  }
+  reach_disk(driver);
+  if (driver.failure != 0) return;
+  for (const auto& [rank, address] : order) driver.written.insert(address);
+  driver.waiting.clear();
+}
+
+H5FD_t* open_file(const char* name, unsigned flags, hid_t, haddr_t) {
+  if ((flags & H5F_ACC_CREAT) == 0) return nullptr;  // new files only
+  const int file = open(name, O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (file < 0) return nullptr;
+  auto* driver = new Driver;
+  driver->file = file;
+  return &driver->base;
+}
+
+herr_t close_file(H5FD_t* base) {
+  Driver& driver = of(base);
+  commit(driver);
+  // HDF5 gives back space at the end that it has not used.
+  if (driver.failure == 0 && driver.end_of_file > driver.end_of_space)
+    check(driver, ftruncate(driver.file, static_cast<off_t>(driver.end_of_space)) == 0);
+  close(driver.file);
+  delete &driver;
+  return 0;
+}
+
+int compare(const H5FD_t* first, const H5FD_t* second) {
+  return first < second ? -1 : static_cast<int>(first > second);
+}
+
+herr_t query(const H5FD_t*, unsigned long* flags) {
+  *flags = H5FD_FEAT_AGGREGATE_METADATA | H5FD_FEAT_AGGREGATE_SMALLDATA | H5FD_FEAT_DATA_SIEVE;
+  return 0;
+}
+
+haddr_t end_of_space(const H5FD_t* base, H5FD_mem_t) { return of(base).end_of_space; }
+
+herr_t set_end_of_space(H5FD_t* base, H5FD_mem_t, haddr_t address) {
+  of(base).end_of_space = address;
+  return 0;
+}
+
+haddr_t end_of_file(const H5FD_t* base, H5FD_mem_t) {
+  return std::max(of(base).end_of_file, of(base).end_of_space);
+}
+
+herr_t handle(H5FD_t* base, hid_t, void** handle) {
+  *handle = &of(base);
+  return 0;
+}
+
+herr_t read_file(H5FD_t* base, H5FD_mem_t, hid_t, haddr_t address, std::size_t size, void* to) {
+  Driver& driver = of(base);
+  auto* bytes = static_cast<char*>(to);
+  std::size_t got = 0;
+  while (got < size) {
+    const ssize_t part = pread(driver.file, bytes + got, size - got, static_cast<off_t>(address + got));
+    if (part < 0 && errno == EINTR) continue;
+    if (part < 0) check(driver, false);
+    if (part <= 0) break;
+    got += static_cast<std::size_t>(part);
+  }
+  std::memset(bytes + got, 0, size - got);
+  overlaps(driver, address, size, [&](const char* waiting, std::size_t at, std::size_t length) {
+    std::memcpy(bytes + at, waiting, length);
+  });
+  return 0;
+}
+
+herr_t write_file(H5FD_t* base, H5FD_mem_t type, hid_t, haddr_t address, std::size_t size, const void* from) {
+  Driver& driver = of(base);
+  const auto* bytes = static_cast<const char*>(from);
+  overlaps(driver, address, size, [&](char* waiting, std::size_t at, std::size_t length) {
+    std::memcpy(waiting, bytes + at, length);
+  });
+  if (type == H5FD_MEM_DRAW) {
+    put(driver, address, bytes, size);
+  } else if (Block& block = driver.waiting[address]; block.bytes.size() < size) {
+    block = {.type = type, .bytes = Bytes(bytes, bytes + size)};
+  }
+  return 0;
+}
+
+const H5FD_class_t& driver_class() {
+  static const H5FD_class_t description = [] {
+    H5FD_class_t driver{};
+    driver.name = "cosurge_ordered";
+    driver.maxaddr = static_cast<haddr_t>(std::numeric_limits<off_t>::max());
+    driver.fc_degree = H5F_CLOSE_WEAK;
+    driver.open = open_file;
+    driver.close = close_file;
+    driver.cmp = compare;
+    driver.query = query;
+    driver.get_eoa = end_of_space;
+    driver.set_eoa = set_end_of_space;
+    driver.get_eof = end_of_file;
+    driver.get_handle = handle;
+    driver.read = read_file;
+    driver.write = write_file;
+    const H5FD_mem_t map[] = H5FD_FLMAP_DEFAULT;
+    std::copy(std::begin(map), std::end(map), driver.fl_map);
+    return driver;
+  }();
+  return description;
+}
+
+}  // namespace
+
+H5::FileAccPropList OrderedFile::access() {
+  static const hid_t driver = H5FDregister(&driver_class());
+  H5::FileAccPropList access;
+  H5Pset_driver(access.getId(), driver, nullptr);
+  return access;
+}
+
+OrderedFile::OrderedFile(const H5::H5File& file) { file.getVFDHandle(&driver_); }
+
+void OrderedFile::commit() { cosurge::commit(*static_cast<Driver*>(driver_)); }
+
+int OrderedFile::failure() const { return static_cast<const Driver*>(driver_)->failure; }
+
+}  // namespace cosurge

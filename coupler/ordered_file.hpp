@@ -1,0 +1,38 @@
+// An HDF5 file that can be read at every instant: a driver for HDF5 that changes the file in a safe order.
+#pragma once
+
+#include <H5Cpp.h>
+
+namespace cosurge {
+
+/// HDF5 writes its index (tables of chunks, lengths of datasets) in any order; a reader between two of these
+/// writes, or a process that ends there, would see lengths without their numbers. This driver keeps changes
+/// of the index in memory until commit(), and then writes
+///   1. numbers, and parts of the index that nothing refers to yet,
+///   2. how far the file reaches,
+///   3. tables of chunks, those of higher levels first,
+///   4. headers of datasets, with their lengths,
+/// each from its end to its beginning, and each on the disk before the next. It holds for files that grow:
+/// nothing is moved or removed.
+///
+/// After a write that failed nothing more reaches the file, and HDF5 is told that all went well, since it
+/// cannot close a file otherwise; failure() has the reason.
+class OrderedFile {
+ public:
+  /// Access properties of a new file with this driver.
+  static H5::FileAccPropList access();
+
+  /// `file`: with these properties.
+  explicit OrderedFile(const H5::H5File& file);
+
+  /// What HDF5 has flushed since the last one goes to the disk.
+  void commit();
+
+  /// errno of the first write that failed; 0 where none has.
+  int failure() const;
+
+ private:
+  void* driver_ = nullptr;
+};
+
+}  // namespace cosurge
