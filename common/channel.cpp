@@ -1,12 +1,13 @@
 #include "common/channel.hpp"
 
-#include <google/protobuf/message_lite.h>
+#include <google/protobuf/message.h>
 
 #include <algorithm>
 #include <chrono>
 #include <thread>
 
 #include "common/line.hpp"
+#include "common/message_parts.hpp"
 
 namespace cosurge {
 namespace {
@@ -78,13 +79,14 @@ void Channel::put(zmq::message_t&& bytes) {
   traffic_.bytes_sent += size;
 }
 
-void Channel::receive(google::protobuf::MessageLite& message, const std::string& awaited) {
+void Channel::receive(google::protobuf::Message& message, const std::string& awaited, std::size_t limit) {
   zmq::message_t bytes;
   if (!line_->take(bytes)) bytes = wait_for_message(awaited);
   ++traffic_.messages;
   traffic_.bytes_received += bytes.size();
-  require(bytes.size() <= options_.message_limit, "a message of {} bytes exceeds the limit of {}",
-          bytes.size(), options_.message_limit);
+  limit = std::min(limit, options_.message_limit);
+  require(bytes.size() <= limit, "a message of {} bytes exceeds the limit of {}", bytes.size(), limit);
+  require_few_parts({bytes.data<char>(), bytes.size()}, *message.GetDescriptor());
   require(message.ParseFromArray(bytes.data(), static_cast<int>(bytes.size())),
           "a message of {} bytes cannot be decoded: garbled, cut short or of another program", bytes.size());
 }

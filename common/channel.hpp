@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,8 +16,9 @@
 #include "common/error.hpp"
 
 namespace google::protobuf {
+class Message;
 class MessageLite;
-}
+}  // namespace google::protobuf
 namespace zmq {
 class message_t;
 }
@@ -88,9 +90,11 @@ class Channel {
   /// Bytes as they are: for tests of what the other side makes of them.
   void send_bytes(std::string_view bytes);
 
-  /// Sleeps until the next message is there. `awaited` says in errors what for.
+  /// Sleeps until the next message is there. `awaited` says in errors what for. `limit`: of its bytes, where
+  /// it is less than that of the channel.
   /// @throws PeerLost; Interrupted; Error where the message is too large or cannot be decoded.
-  void receive(google::protobuf::MessageLite& message, const std::string& awaited);
+  void receive(google::protobuf::Message& message, const std::string& awaited,
+               std::size_t limit = std::numeric_limits<std::size_t>::max());
 
  private:
   Channel(std::unique_ptr<Line> line, Options options);

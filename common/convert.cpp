@@ -7,11 +7,16 @@
 #include <cmath>
 
 #include "common/error.hpp"
+#include "common/wire_words.hpp"
 
 namespace cosurge {
 namespace {
 
 using Numbers = google::protobuf::RepeatedField<double>;
+
+constexpr std::size_t most_of_a_program = 100;  // [bytes] of its name
+constexpr int most_modes = 1000, most_columns = 10000, most_arrays = 100, most_notes = 100;
+constexpr std::size_t most_of_a_note = 1000;  // [bytes]
 
 template <typename Matrix>
 void encode(const Matrix& values, Numbers& numbers) {
@@ -60,8 +65,8 @@ Identity decode(const v1::Hello& message) {
   require(message.role() == v1::FLUID || message.role() == v1::SOLID, "role {} is neither fluid nor solid",
           static_cast<int>(message.role()));
   return {.role = message.role() == v1::FLUID ? Role::fluid : Role::solid,
-          .program = message.program(),
-          .version = message.version(),
+          .program = printable(message.program(), most_of_a_program),
+          .version = printable(message.version(), most_of_a_program),
           .dimensions = {message.dimensions().begin(), message.dimensions().end()},
           .capabilities = {message.capabilities().begin(), message.capabilities().end()}};
 }
@@ -115,6 +120,7 @@ void decode_motion(const v1::Motion& message, Surface& surface) {
     decode(message.ramp_increment(), "ramp_increment", surface.ramp_increment);
   }
   surface.modes.clear();
+  require(message.modes_size() <= most_modes, "{} modes, must be <= {}", message.modes_size(), most_modes);
   for (const v1::Mode& sent : message.modes()) {
     Mode mode{.shape = Field(surface.velocity.rows(), surface.velocity.cols()),
               .mobility = sent.mobility(),
@@ -171,6 +177,9 @@ Setup decode(const v1::Initialized& message) {
               .substep = message.substep()};
   require(std::isfinite(setup.substep) && setup.substep >= 0, "the sub-step is {} s, must be >= 0",
           setup.substep);
+  require(message.columns_size() <= most_columns, "{} columns, must be <= {}", message.columns_size(),
+          most_columns);
+  for (const v1::Column& column : message.columns()) require_name(column.name(), "column");
   for (const v1::Column& column : message.columns()) setup.columns.push_back({column.name(), column.unit()});
   return setup;
 }
@@ -187,9 +196,13 @@ Report decode(const v1::Advanced& message, std::size_t columns) {
   for (int k = 0; k < message.values_size(); ++k) {
     require(std::isfinite(message.values(k)), "reported value {} is {}", k, message.values(k));
   }
+  require(message.notes_size() <= most_notes, "{} notes on one window, must be <= {}", message.notes_size(),
+          most_notes);
+  std::vector<std::string> notes;
+  for (const std::string& note : message.notes()) notes.push_back(printable(note, most_of_a_note));
   return {.values = {message.values().begin(), message.values().end()},
           .window = checked_window(message.window()),
-          .notes = {message.notes().begin(), message.notes().end()}};
+          .notes = std::move(notes)};
 }
 
 void encode(const Snapshot& snapshot, v1::Snapshot& message) {
@@ -205,7 +218,10 @@ void encode(const Snapshot& snapshot, v1::Snapshot& message) {
 Snapshot decode(const v1::Snapshot& message) {
   constexpr std::uint32_t most_components = 9;  // a tensor
   Snapshot snapshot;
+  require(message.arrays_size() <= most_arrays, "{} arrays in a frame, must be <= {}", message.arrays_size(),
+          most_arrays);
   for (const v1::Array& array : message.arrays()) {
+    require_name(array.name(), "array");
     const std::uint32_t components = array.components();
     require(components >= 1 && components <= most_components &&
                 array.values_size() % static_cast<int>(components) == 0,

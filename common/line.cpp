@@ -13,6 +13,7 @@ namespace {
 
 constexpr int heartbeat_interval = 250;  // [ms]
 constexpr int handshake_time = 3000;     // [ms] for whoever has connected over TCP to show its key
+constexpr int waiting_messages = 4;      // of a peer that sends what nobody has asked for
 constexpr int connect_time = 2000;       // [ms] until a coupler at whose gate others stand is tried again
 constexpr int watched_events = ZMQ_EVENT_LISTENING | ZMQ_EVENT_ACCEPTED | ZMQ_EVENT_HANDSHAKE_SUCCEEDED |
                                ZMQ_EVENT_HANDSHAKE_FAILED_NO_DETAIL | ZMQ_EVENT_HANDSHAKE_FAILED_PROTOCOL |
@@ -76,9 +77,12 @@ std::unique_ptr<Line> Line::listen(const std::string& endpoint, std::size_t mess
     line->server_key_ = keys.open.data();
     line->socket_.set(zmq::sockopt::curve_server, true);
     line->socket_.set(zmq::sockopt::curve_secretkey, keys.secret.data());
-    line->socket_.set(zmq::sockopt::maxmsgsize, static_cast<std::int64_t>(message_limit));
     line->socket_.set(zmq::sockopt::handshake_ivl, handshake_time);
   }
+  // Over TCP anybody may send; otherwise what is a little too large still gets its answer in words.
+  const std::size_t most = is_tcp(endpoint) ? message_limit : 4 * message_limit;
+  line->socket_.set(zmq::sockopt::maxmsgsize, static_cast<std::int64_t>(most));
+  line->socket_.set(zmq::sockopt::rcvhwm, waiting_messages);
   line->watch();
   try {
     line->socket_.bind(endpoint);

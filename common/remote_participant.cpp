@@ -5,14 +5,19 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "common/convert.hpp"
 #include "common/version.hpp"
+#include "common/wire_words.hpp"
 
 namespace cosurge {
 namespace {
 
 using Reply = v1::Reply;
+
+constexpr std::size_t most_without_numbers = std::size_t{1} << 16;  // [bytes] of Hello and Done
+constexpr std::size_t most_of_a_failure = 4000;                     // [bytes] of its words
 
 template <typename List, typename Value>
 bool contains(const List& list, const Value& value) {
@@ -94,8 +99,8 @@ RemoteParticipant::RemoteParticipant(Channel channel, const Expectation& expecte
 RemoteParticipant::~RemoteParticipant() { abort("it has ended before this solver was finalized"); }
 
 void RemoteParticipant::greet(const Expectation& expected) {
-  channel_.receive(reply_, "its hello");
-  require(!reply_.has_failure(), "{}", reply_.failure().what());
+  channel_.receive(reply_, "its hello", most_without_numbers);
+  require(!reply_.has_failure(), "{}", printable(reply_.failure().what(), most_of_a_failure));
   require(reply_.has_hello() && reply_.sequence() == 0, "its first message is not a hello");
   const v1::Hello& hello = reply_.hello();
   channel_.set_peer(fmt::format("{} {}", hello.program(), hello.version()));
@@ -117,14 +122,17 @@ const Reply& RemoteParticipant::exchange(Reply::ResultCase expected) {
   request_.set_sequence(++sequence_);
   try {
     channel_.send(request_);
-    channel_.receive(reply_, fmt::format("its answer to {}", place_));
+    channel_.receive(
+        reply_, fmt::format("its answer to {}", place_),
+        expected == Reply::kDone ? most_without_numbers : std::numeric_limits<std::size_t>::max());
   } catch (const PeerLost& lost) {
     abort(lost.what());
     throw;
   }
   if (reply_.has_failure()) {
     over_ = true;
-    const std::string text = fmt::format("{}: {}", channel_.peer(), reply_.failure().what());
+    const std::string text =
+        fmt::format("{}: {}", channel_.peer(), printable(reply_.failure().what(), most_of_a_failure));
     if (reply_.failure().numerical()) throw NumericalError(text);
     throw Error(text);
   }

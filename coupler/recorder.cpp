@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cassert>
 #include <ctime>
+#include <set>
 
 #include "common/error.hpp"
 #include "common/version.hpp"
@@ -29,6 +30,39 @@ constexpr int rest = 50;  // times as long as writing the XDMF takes passes befo
 
 std::string without_prefix(const std::string& name, const std::string& owner) {
   return name.starts_with(owner + "_") ? name.substr(owner.size() + 1) : name;
+}
+
+/// The arrays of a first frame. @throws Error where two have one name.
+std::vector<XdmfArray> arrays_of(const std::string& member, const Snapshot& first) {
+  std::vector<XdmfArray> arrays;
+  std::set<std::string> names;
+  for (const Array& array : first) {
+    const std::string name = without_prefix(array.name, member);
+    require(names.insert(name).second, "the {} solver sends two arrays called {}", member, name);
+    arrays.push_back({.name = name,
+                      .place = "/frames/" + member + "/" + name,
+                      .particles = array.values.size() / static_cast<std::size_t>(array.components),
+                      .components = array.components});
+  }
+  return arrays;
+}
+
+/// That a frame has the arrays of the first one, in any order: else they would be of unequal length in the
+/// results. @throws Error
+void require_same_arrays(const XdmfCloud& cloud, const Snapshot& now) {
+  const std::vector<XdmfArray> arrays = arrays_of(cloud.name, now);
+  require(arrays.size() == cloud.arrays.size(),
+          "the {} solver sends {} arrays in this frame, {} in its first one", cloud.name, arrays.size(),
+          cloud.arrays.size());
+  for (const XdmfArray& array : arrays) {
+    const auto first = std::find_if(cloud.arrays.begin(), cloud.arrays.end(),
+                                    [&](const XdmfArray& other) { return other.name == array.name; });
+    require(first != cloud.arrays.end(), "the {} solver sends the array {}, which its first frame has not",
+            cloud.name, array.name);
+    require(array.particles == first->particles && array.components == first->components,
+            "the {} solver sends {} with {} x {} numbers in this frame, {} x {} in its first one", cloud.name,
+            array.name, array.particles, array.components, first->particles, first->components);
+  }
 }
 
 }  // namespace
@@ -87,20 +121,14 @@ void Recorder::row(const std::vector<double>& values) {
 
 void Recorder::frame(double time, const std::vector<Snapshot>& snapshots) {
   assert(snapshots.size() == members_.size());
-  write_waiting();
   for (std::size_t m = 0; m < snapshots.size(); ++m) {
-    XdmfCloud& cloud = clouds_[m];
-    for (const Array& array : snapshots[m]) {
-      const std::string name = without_prefix(array.name, cloud.name);
-      const std::string place = "/frames/" + cloud.name + "/" + name;
-      file_.append(place, array);
-      if (frame_times_.empty())
-        cloud.arrays.push_back({.name = name,
-                                .place = place,
-                                .particles = array.values.size() / static_cast<std::size_t>(array.components),
-                                .components = array.components});
-    }
+    if (frame_times_.empty()) clouds_[m].arrays = arrays_of(clouds_[m].name, snapshots[m]);
+    require_same_arrays(clouds_[m], snapshots[m]);
   }
+  write_waiting();
+  for (std::size_t m = 0; m < snapshots.size(); ++m)
+    for (const Array& array : snapshots[m])
+      file_.append("/frames/" + clouds_[m].name + "/" + without_prefix(array.name, clouds_[m].name), array);
   file_.append("/frames/time", std::span(&time, 1));
   frame_times_.push_back(time);
   file_.flush();

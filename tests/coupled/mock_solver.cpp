@@ -42,6 +42,15 @@ void spoil(v1::Reply& reply, const std::string& fault) {
   }
   if (fault == "out-of-order") reply.mutable_saved();
   if (fault == "wrong-sequence") reply.set_sequence(reply.sequence() + 5);
+  if (fault == "long-hello") reply.mutable_hello()->set_program(std::string(100000, 'x'));
+  if (fault == "long-done") reply.mutable_failure()->set_what(std::string(100000, 'x'));
+  if (fault == "many-notes")
+    for (int k = 0; k < 200; ++k) reply.mutable_advanced()->add_notes("look");
+  if (fault == "many-columns")
+    for (int k = 0; k < 20000; ++k)
+      reply.mutable_initialized()->add_columns()->set_name(fmt::format("c{}", k));
+  if (fault == "column-name") reply.mutable_initialized()->add_columns()->set_name("../time");
+  if (fault == "giant") reply.mutable_saved()->set_state(std::string(64 * oversize, 'x'));
   if (fault == "oversized") reply.mutable_saved()->set_state(std::string(oversize, 'x'));
 }
 

@@ -203,6 +203,25 @@ TEST(Recorder, AFrameOfAnotherLengthIsRefused) {
   EXPECT_THROW(run.recorder->frame(0.1, shorter), Error);
 }
 
+TEST(Recorder, AFrameOfOtherArraysIsRefusedAndNothingOfItIsWritten) {
+  RecordedRun run;
+  run.recorder->frame(0, snapshots(0));
+  for (const std::string change : {"more", "fewer", "other", "components", "twice"}) {
+    auto frame = snapshots(1);
+    Snapshot& arrays = frame[0];
+    if (change == "more") arrays.push_back({.name = "fluid_new", .unit = "", .components = 1, .values = {1}});
+    if (change == "fewer") arrays.pop_back();
+    if (change == "other") arrays[1].name = "fluid_other";
+    if (change == "components") arrays[1].components = 2;
+    if (change == "twice") arrays[1].name = arrays[0].name;
+    EXPECT_THROW(run.recorder->frame(0.1, frame), Error) << change;
+  }
+  auto turned = snapshots(1);
+  std::swap(turned[0][0], turned[0][1]);
+  run.recorder->frame(0.1, turned);
+  expect_frames(run.close(), 2);
+}
+
 TEST(Recorder, AnotherProcessReadsWhileTheRunGoesOnAndAfterItWasKilled) {
   ScratchFolder folder;
   int told[2];

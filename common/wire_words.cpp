@@ -1,0 +1,29 @@
+#include "common/wire_words.hpp"
+
+#include <algorithm>
+
+#include "common/error.hpp"
+
+namespace cosurge {
+namespace {
+
+bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
+
+}  // namespace
+
+std::string printable(const std::string& words, std::size_t most) {
+  std::string text = words.substr(0, most);
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return is_control(c) && c != '\n'; }, '?');
+  return words.size() > most ? text + "..." : text;
+}
+
+void require_name(const std::string& name, const char* what) {
+  constexpr std::size_t longest = 100;
+  const bool good = !name.empty() && name.size() <= longest && name != "." && name != ".." &&
+                    name.find('/') == std::string::npos && std::none_of(name.begin(), name.end(), is_control);
+  require(good, "the name of a {} is \"{}\": it must have 1 to {} characters, and no slash", what,
+          printable(name, longest), longest);
+}
+
+}  // namespace cosurge

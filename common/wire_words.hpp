@@ -1,0 +1,16 @@
+// Words that another program has sent.
+#pragma once
+
+#include <string>
+
+namespace cosurge {
+
+/// As they may be shown on a terminal: no more than `most` bytes, and '?' in place of control characters
+/// other than the end of a line.
+std::string printable(const std::string& words, std::size_t most);
+
+/// That a name can be that of a part of the results. `what`: "column", for the message.
+/// @throws Error where it is empty, too long, or has a slash or control characters.
+void require_name(const std::string& name, const char* what);
+
+}  // namespace cosurge
