@@ -21,8 +21,8 @@ class Line {
   /// Longer than any delay of a thread on an overloaded machine, and than the passage of one message.
   static constexpr double silence = 3;  // [s]
 
-  /// Over TCP, a peer that sends a message of more than `message_limit` bytes is cut off before the message is
-  /// read, and one that has not shown its key after some seconds; nobody else can connect once the first
+  /// Over TCP, a peer that sends a message of more than `message_limit` bytes is cut off before the message
+  /// is read, and one that has not shown its key after some seconds; nobody else can connect once the first
   /// message was taken.
   static std::unique_ptr<Line> listen(const std::string& endpoint, std::size_t message_limit);
   static std::unique_ptr<Line> connect(const Connection& connection);

@@ -23,8 +23,8 @@ bool make(const fs::path& folder) {
 }
 
 bool holds_a_run(const fs::path& folder) {
-  for (const char* name :
-       {"results.h5", "results.h5.new", "summary.json", "checkpoint", "checkpoint.old", "fluid_solver.log", "solid_solver.log"})
+  for (const char* name : {"results.h5", "results.h5.new", "summary.json", "checkpoint", "checkpoint.old",
+                           "fluid_solver.log", "solid_solver.log"})
     if (fs::exists(folder / name)) return true;
   return false;
 }

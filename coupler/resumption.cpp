@@ -24,8 +24,8 @@ bool may(const std::string& key) {
 }
 
 /// @throws Error with all changes that are not allowed, and where the end is not later than the checkpoint.
-void require_changes(const std::filesystem::path& folder, const Checkpoint& checkpoint,
-                     const v1::Case& now, const std::vector<Difference>& changes) {
+void require_changes(const std::filesystem::path& folder, const Checkpoint& checkpoint, const v1::Case& now,
+                     const std::vector<Difference>& changes) {
   std::vector<std::string> wrong;
   for (const Difference& change : changes)
     if (!may(change.key))

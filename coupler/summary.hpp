@@ -11,8 +11,8 @@ namespace cosurge {
 
 /// How a run ended.
 struct Outcome {
-  std::string status;  ///< "finished", "interrupted" or "failed"
-  std::string reason;  ///< why it did not finish
+  std::string status;        ///< "finished", "interrupted" or "failed"
+  std::string reason;        ///< why it did not finish
   bool broken_down = false;  ///< whether the computation itself has: the same run would do so again
   double exchange_seconds =
       std::numeric_limits<double>::quiet_NaN();  ///< that messages cost beyond computing

@@ -39,8 +39,8 @@ class AddedMass {
   struct Step {
     Particles<dim>& particles;  ///< velocities are changed, and put back
     const Neighbors<dim>& neighbors;
-    const ReferenceValues& reference;   ///< of the neighbours' radius
-    const std::vector<int>& seen;       ///< the point whose velocity the water sees in each body point
+    const ReferenceValues& reference;  ///< of the neighbours' radius
+    const std::vector<int>& seen;      ///< the point whose velocity the water sees in each body point
     const std::vector<Cover>& covers;  ///< of walls by bodies
     const std::vector<std::int32_t>& body_place;  ///< of each body point among the particles
     const std::vector<Vec<dim>>& body_areas;

@@ -122,18 +122,18 @@ class Mps {
   double speed_bound_ = 0;        // [m/s]
   double max_body_speed_ = 0;
   int first_body_id_ = 0;
-  Faces<dim> faces_;                      // of the bodies, deformed, by point
-  std::vector<Vec<dim>> face_load_;       // beyond -P A on the bodies' points [N]
-  std::vector<std::int32_t> body_place_;  // of each body point among the particles
-  std::vector<int> seen_;                 // the point whose velocity the water sees in each body point
-  std::vector<Cover> covers_;             // of walls, by place
-  std::vector<Vec<dim>> areas_;           // A by place, for the pressure equation
-  std::vector<Vec<dim>> change_;          // of the velocity since the prediction, by place
-  std::vector<Vec<dim>> push_;            // of the pressure on the velocity, by place
-  std::vector<double> source_;            // of the pressure equation, by place
+  Faces<dim> faces_;                           // of the bodies, deformed, by point
+  std::vector<Vec<dim>> face_load_;            // beyond -P A on the bodies' points [N]
+  std::vector<std::int32_t> body_place_;       // of each body point among the particles
+  std::vector<int> seen_;                      // the point whose velocity the water sees in each body point
+  std::vector<Cover> covers_;                  // of walls, by place
+  std::vector<Vec<dim>> areas_;                // A by place, for the pressure equation
+  std::vector<Vec<dim>> change_;               // of the velocity since the prediction, by place
+  std::vector<Vec<dim>> push_;                 // of the pressure on the velocity, by place
+  std::vector<double> source_;                 // of the pressure equation, by place
   std::vector<double> source_per_divergence_;  // by place [kg/(m3 s)]
-  std::vector<double> pressure_;          // of the unknowns
-  std::vector<Vec<dim>> predicted_x_;     // of a step that may be repeated, by place
+  std::vector<double> pressure_;               // of the unknowns
+  std::vector<Vec<dim>> predicted_x_;          // of a step that may be repeated, by place
   std::vector<Vec<dim>> predicted_u_;
 };
 

@@ -98,9 +98,9 @@ double Mps<dim>::unbiased_deviation(int i, double smooth) const {
   return open_surface() ? std::max(0.0, near_smooth_deviation(i)) : near_deviation(i);
 }
 
-/// Rates of the scene for the source `time_scale`, eq. (6c). Water that falls and runs under gravity answers at
-/// its own wave speed: a spacing takes l0 / c. An obstacle that is driven into water at V asks for an answer
-/// while it moves by a twentieth of a spacing.
+/// Rates of the scene for the source `time_scale`, eq. (6c). Water that falls and runs under gravity answers
+/// at its own wave speed: a spacing takes l0 / c. An obstacle that is driven into water at V asks for an
+/// answer while it moves by a twentieth of a spacing.
 template <int dim>
 Rates Mps<dim>::rates(double dt) const {
   constexpr double answers = 20;  // while an obstacle moves by a spacing

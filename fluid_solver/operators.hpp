@@ -38,9 +38,9 @@ Vec<dim> repulsion(const Particles<dim>& particles, const Neighbors<dim>& neighb
 template <int dim>
 Vec<dim> even_out(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i, double n0);
 
-/// Largest speed [m/s] at which particle i and a neighbour come nearer to each other, at least 0. Pairs without
-/// water do not count; of a pair with a point of a wall or body, only what is across its face does. `kick`
-/// [m/s] is added to the velocity of walls and bodies.
+/// Largest speed [m/s] at which particle i and a neighbour come nearer to each other, at least 0. Pairs
+/// without water do not count; of a pair with a point of a wall or body, only what is across its face does.
+/// `kick` [m/s] is added to the velocity of walls and bodies.
 template <int dim>
 double approach_speed(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i,
                       const Vec<dim>& kick);

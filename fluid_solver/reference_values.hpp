@@ -4,9 +4,9 @@
 namespace cosurge::fluid {
 
 struct ReferenceValues {
-  double n0;       ///< number density, eq. (2) [-]
-  double lambda0;  ///< Laplacian coefficient sum(r^2 w) / sum(w), eq. (3) [m2]
-  double smooth0;  ///< smooth density, eq. (2b), the particle itself counted [-]
+  double n0;           ///< number density, eq. (2) [-]
+  double lambda0;      ///< Laplacian coefficient sum(r^2 w) / sum(w), eq. (3) [m2]
+  double smooth0;      ///< smooth density, eq. (2b), the particle itself counted [-]
   double face_factor;  ///< sum(x^2 w) / (l0 sum(|x| w)) for a coordinate x, eq. (10c) [-]
 };
 

@@ -28,9 +28,9 @@ double parting_of_water(const Particles<dim>& particles, const CellGrid<dim>& gr
   double sum = 0;
   each_seen(particles, grid, i, re, [&](int j, const Vec<dim>& x_ij, double w) {
     const Vec<dim> u_ij = particles.u[j] - particles.u[i];
-    sum += w * (particles.kind[j] == Kind::fluid
-                    ? u_ij.dot(x_ij)
-                    : across_face<dim>(u_ij + kick, particles.normal[j]).dot(x_ij));
+    sum +=
+        w * (particles.kind[j] == Kind::fluid ? u_ij.dot(x_ij)
+                                              : across_face<dim>(u_ij + kick, particles.normal[j]).dot(x_ij));
   });
   return sum;
 }

@@ -45,10 +45,10 @@ class PoissonEquation {
   const std::vector<double>& deviation() const { return deviation_; }
 
   /// Divergence of the velocity with the equation's own weights, eq. (10b) and (10c), at each unknown [1/s].
-  /// Water slides along walls and bodies; `kick` [m/s] is added to the velocity of both: what gravity has given
-  /// the water in the prediction. The Neumann condition takes it back from both; without it the source would
-  /// count the weight of the water once more. Without an open surface it is NaN at unknowns that are no water,
-  /// or have a free surface or a body within the radius.
+  /// Water slides along walls and bodies; `kick` [m/s] is added to the velocity of both: what gravity has
+  /// given the water in the prediction. The Neumann condition takes it back from both; without it the source
+  /// would count the weight of the water once more. Without an open surface it is NaN at unknowns that are no
+  /// water, or have a free surface or a body within the radius.
   std::vector<double> divergence(const Particles<dim>& particles, const CellGrid<dim>& grid,
                                  const Vec<dim>& kick) const;
 
@@ -120,9 +120,9 @@ class PoissonEquation {
   std::vector<std::int32_t> place_;  // of each unknown
   std::vector<std::int32_t> rank_;   // unknowns in lower places than this one, for each place and the end
   std::vector<std::int32_t> other_;  // places of the particles that are no unknowns
-  std::vector<std::int32_t> wet_;   // unknowns on bodies that are numbered lower, for each unknown and the end
+  std::vector<std::int32_t> wet_;  // unknowns on bodies that are numbered lower, for each unknown and the end
   std::vector<std::int32_t> face_;  // the same of unknowns on walls and bodies
-  Lines x_;                        // of the unknowns
+  Lines x_;                         // of the unknowns
 };
 
 }  // namespace cosurge::fluid

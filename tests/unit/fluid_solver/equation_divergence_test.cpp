@@ -61,7 +61,8 @@ TEST(EquationDivergence, OfABodysFacesDoesNotSeeTheBodysOwnStrain) {
       if (moved.kind[j] == Kind::fluid) moved.u[j] = particles.u[i];
     const auto divergence = tank.equation.divergence(moved, tank.cloud.neighbors.grid(), Vec<2>::Zero());
     const auto& unknowns = tank.equation.unknowns();
-    const auto k = static_cast<std::size_t>(std::find(unknowns.begin(), unknowns.end(), i) - unknowns.begin());
+    const auto k =
+        static_cast<std::size_t>(std::find(unknowns.begin(), unknowns.end(), i) - unknowns.begin());
     ASSERT_LT(k, unknowns.size());
     EXPECT_NEAR(divergence[k], 0, 1e-9);
     ++faces;
@@ -173,7 +174,8 @@ TEST(EquationDivergence, IsNoneWhereWaterAndWallsHaveTheSameKick) {
   for (int i = 0; i < tank.cloud.particles.size(); ++i)
     tank.cloud.particles.u[i] = tank.cloud.particles.kind[i] == Kind::fluid ? kick : Vec<2>(0, 0);
   double with = 0, without = 0;
-  for (const double d : divergence_of(tank, kick)) with = std::max(with, std::isnan(d) ? INFINITY : std::abs(d));
+  for (const double d : divergence_of(tank, kick))
+    with = std::max(with, std::isnan(d) ? INFINITY : std::abs(d));
   for (const double d : divergence_of(tank)) without = std::max(without, std::abs(d));
   EXPECT_EQ(with, 0);
   EXPECT_GT(without, 0.1 * 0.01 / l0);

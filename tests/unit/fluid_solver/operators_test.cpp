@@ -94,7 +94,8 @@ TYPED_TEST(Operators, WaterThatFallsWithAKickDivergesFromWallsThatHaveTheSameKic
     particles.u[j] = particles.kind[j] == Kind::fluid ? kick : Vec<dim>::Zero();
   }
   EXPECT_EQ(near_divergence(particles, neighbors, l.i, l.reference.n0, kick), 0);
-  EXPECT_LT(near_divergence<dim>(particles, neighbors, l.i, l.reference.n0, Vec<dim>::Zero()), -0.1 * 0.01 / l0);
+  EXPECT_LT(near_divergence<dim>(particles, neighbors, l.i, l.reference.n0, Vec<dim>::Zero()),
+            -0.1 * 0.01 / l0);
   const int wall = l.cloud.nearest(Vec<dim>::Constant(3.5 * l0) - l0 * Vec<dim>::Unit(dim - 1));
   EXPECT_EQ(near_divergence(particles, neighbors, wall, l.reference.n0, kick), 0);
 }
