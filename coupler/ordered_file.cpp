@@ -41,10 +41,12 @@ void check(Driver& driver, bool done) {
   if (!done && driver.failure == 0) driver.failure = errno == 0 ? EIO : errno;
 }
 
-/// From the last page to the first: who reads meanwhile, from the first to the last, never sees a count
-/// without what is counted.
+/// What the system writes in one go, whenever the process is killed.
+constexpr haddr_t page = 4096;
+
+/// From the last page to the first. Tables of chunks are smaller than a page and lie in one (access()); of a
+/// header only numbers of eight bytes change; chunks get rows behind those that the index knows.
 void put(Driver& driver, haddr_t address, const char* bytes, std::size_t size) {
-  constexpr haddr_t page = 4096;
   haddr_t end = address + size;
   while (driver.failure == 0 && end > address) {
     const haddr_t begin = std::max(address, (end - 1) / page * page);
@@ -207,8 +209,10 @@ const H5FD_class_t& driver_class() {
 
 H5::FileAccPropList OrderedFile::access() {
   static const hid_t driver = H5FDregister(&driver_class());
+  constexpr hsize_t smallest_table = 1024;  // what is larger begins at a page
   H5::FileAccPropList access;
   H5Pset_driver(access.getId(), driver, nullptr);
+  access.setAlignment(smallest_table, page);
   return access;
 }
 
