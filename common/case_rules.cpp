@@ -317,25 +317,6 @@ void check_times(const v1::Case& c, CaseErrors& errors) {
 
 }  // namespace
 
-void CaseErrors::add(const std::string& key, const std::string& what) {
-  if (lines.size() >= most) {
-    ++more;
-    return;
-  }
-  std::string around = key;
-  while (!places.contains(around) && !around.empty()) {
-    const auto dot = around.rfind('.');
-    around = dot == std::string::npos ? "" : around.substr(0, dot);
-  }
-  lines.push_back(fmt::format("{}: {}: {}", places[around], key, what));
-}
-
-void CaseErrors::raise() const {
-  if (lines.empty()) return;
-  throw Error(fmt::format("{}{}", fmt::join(lines, "\n"),
-                          more > 0 ? fmt::format("\nand {} more errors", more) : std::string()));
-}
-
 void check_rules(const v1::Case& c, CaseErrors& errors) {
   if (!c.has_fluid() && !c.has_solid()) errors.add("", "a case needs a [fluid], a [solid], or both");
   if (c.has_coupling() && !(c.has_fluid() && c.has_solid()))

@@ -41,10 +41,12 @@ void check(Driver& driver, bool done) {
   if (!done && driver.failure == 0) driver.failure = errno == 0 ? EIO : errno;
 }
 
-/// From the last page to the first: who reads meanwhile, from the first to the last, never sees a count
-/// without what is counted.
+/// What the system writes in one go, whenever the process is killed.
+constexpr haddr_t page = 4096;
+
+/// From the last page to the first. The parts of the index that change lie in one (allocate()); chunks get
+/// rows behind those that the index knows.
 void put(Driver& driver, haddr_t address, const char* bytes, std::size_t size) {
-  constexpr haddr_t page = 4096;
   haddr_t end = address + size;
   while (driver.failure == 0 && end > address) {
     const haddr_t begin = std::max(address, (end - 1) / page * page);
@@ -139,6 +141,16 @@ herr_t set_end_of_space(H5FD_t* base, H5FD_mem_t, haddr_t address) {
   return 0;
 }
 
+/// Space at the end of the file. No part of the index crosses from one page into the next.
+haddr_t allocate(H5FD_t* base, H5FD_mem_t type, hid_t, hsize_t size) {
+  Driver& driver = of(base);
+  haddr_t begin = driver.end_of_space;
+  const bool crosses = begin / page != (begin + size - 1) / page;
+  if (type != H5FD_MEM_DRAW && size <= page && crosses) begin = (begin + page - 1) / page * page;
+  driver.end_of_space = begin + size;
+  return begin;
+}
+
 haddr_t end_of_file(const H5FD_t* base, H5FD_mem_t) {
   return std::max(of(base).end_of_file, of(base).end_of_space);
 }
@@ -190,6 +202,7 @@ const H5FD_class_t& driver_class() {
     driver.close = close_file;
     driver.cmp = compare;
     driver.query = query;
+    driver.alloc = allocate;
     driver.get_eoa = end_of_space;
     driver.set_eoa = set_end_of_space;
     driver.get_eof = end_of_file;
@@ -209,6 +222,7 @@ H5::FileAccPropList OrderedFile::access() {
   static const hid_t driver = H5FDregister(&driver_class());
   H5::FileAccPropList access;
   H5Pset_driver(access.getId(), driver, nullptr);
+  H5Pset_meta_block_size(access.getId(), 0);  // each part of the index asks allocate()
   return access;
 }
 

@@ -12,8 +12,8 @@ namespace cosurge {
 ///   2. how far the file reaches,
 ///   3. tables of chunks, those of higher levels first,
 ///   4. headers of datasets, with their lengths,
-/// each from its end to its beginning, and each on the disk before the next. It holds for files that grow:
-/// nothing is moved or removed.
+/// and each on the disk before the next. A table lies within one page of 4096 bytes, which the system writes
+/// in one go: datasets may have three dimensions. It holds for files that grow: nothing is moved or removed.
 ///
 /// After a write that failed nothing more reaches the file, and HDF5 is told that all went well, since it
 /// cannot close a file otherwise; failure() has the reason.

@@ -1,104 +1,122 @@
-// Who reads results while they are written gets what is right, or an error.
+// After every single write of a commit, a reader finds nothing wrong.
 #include "coupler/ordered_file.hpp"
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
-#include <chrono>
-#include <csignal>
+#include <functional>
 
 #include "coupler/result_file.hpp"
 #include "tests/support/scratch_folder.hpp"
 
+namespace {
+
+/// Called after every write of this program, while it is set.
+std::function<void()> after_write;
+
+}  // namespace
+
+/// In place of the system library's.
+extern "C" ssize_t pwrite(int file, const void* bytes, size_t size, off_t at) {
+  const ssize_t written = syscall(SYS_pwrite64, file, bytes, size, at);
+  if (after_write) after_write();
+  return written;
+}
+
 namespace cosurge {
 namespace {
 
-constexpr int series = 4;
-constexpr std::size_t rows_a_flush = 700;  // not a divisor of the rows of a chunk
+constexpr int series = 3;
+constexpr hsize_t rows_a_chunk = 16;
+constexpr hsize_t rows_a_commit = 16 * 37 + 5;  // several chunks, the last one not full
 
-double value(int which, std::size_t row) { return static_cast<double>(which + 1) + static_cast<double>(row); }
+double value(int which, hsize_t row) { return static_cast<double>(which + 1) + static_cast<double>(row); }
 
-std::string name(int which) { return "/history/s" + std::to_string(which); }
+std::string name(int which) { return "s" + std::to_string(which); }
 
-/// Rows and frames, flush after flush, until it is killed: the tables of chunks get several levels.
-[[noreturn]] void write_without_end(const std::filesystem::path& path) {
-  ResultFile file(path);
-  for (int s = 0; s < series; ++s) file.add_series(name(s), "m");
-  for (std::size_t flush = 0;; ++flush) {
-    for (int s = 0; s < series; ++s) {
-      std::vector<double> rows;
-      for (std::size_t k = 0; k < rows_a_flush; ++k) rows.push_back(value(s, flush * rows_a_flush + k));
-      file.append(name(s), rows);
-    }
-    file.append("/frames/p", {.name = "p",
-                              .unit = "",
-                              .components = 1,
-                              .values = std::vector<float>(50, static_cast<float>(flush))});
-    file.flush();
+/// Rows of some datasets of chunks.
+class Growing {
+ public:
+  explicit Growing(const std::filesystem::path& path)
+      : file_(path.string(), H5F_ACC_EXCL, H5::FileCreatPropList::DEFAULT, OrderedFile::access()),
+        order_(file_) {
+    const hsize_t none = 0, endless = H5S_UNLIMITED;
+    H5::DSetCreatPropList layout;
+    layout.setChunk(1, &rows_a_chunk);
+    for (int s = 0; s < series; ++s)
+      datasets_.push_back(file_.createDataSet(name(s), H5::PredType::NATIVE_DOUBLE,
+                                              H5::DataSpace(1, &none, &endless), layout));
+    file_.flush(H5F_SCOPE_GLOBAL);
+    order_.commit();
   }
-}
 
-struct Seen {
-  std::size_t rows = 0;
-  std::size_t wrong = 0;
+  /// As far as HDF5 is concerned.
+  void append() {
+    const hsize_t size = rows_ + rows_a_commit;
+    for (int s = 0; s < series; ++s) {
+      std::vector<double> values;
+      for (hsize_t row = rows_; row < size; ++row) values.push_back(value(s, row));
+      H5::DataSet& dataset = datasets_[static_cast<std::size_t>(s)];
+      dataset.extend(&size);
+      H5::DataSpace target = dataset.getSpace();
+      target.selectHyperslab(H5S_SELECT_SET, &rows_a_commit, &rows_);
+      dataset.write(values.data(), H5::PredType::NATIVE_DOUBLE, H5::DataSpace(1, &rows_a_commit), target);
+    }
+    rows_ = size;
+    file_.flush(H5F_SCOPE_GLOBAL);
+  }
+
+  void commit() { order_.commit(); }
+  hsize_t rows() const { return rows_; }
+
+ private:
+  H5::H5File file_;
+  OrderedFile order_;
+  std::vector<H5::DataSet> datasets_;
+  hsize_t rows_ = 0;
 };
 
-/// The last rows of each series, and the last frames. @throws H5::Exception
-Seen look(const std::filesystem::path& path) {
-  Seen seen;
+/// Rows of the longest series that a reader of the file finds. All of all series must be right.
+hsize_t look(const std::filesystem::path& path) {
+  hsize_t most = 0;
   const H5::H5File file(path.string(), H5F_ACC_RDONLY);
   for (int s = 0; s < series; ++s) {
     const H5::DataSet dataset = file.openDataSet(name(s));
-    const hsize_t rows = extent(dataset)[0], count = std::min<hsize_t>(rows, 5000), start = rows - count;
-    std::vector<double> values(count);
-    if (count == 0) continue;
-    H5::DataSpace from = dataset.getSpace();
-    from.selectHyperslab(H5S_SELECT_SET, &count, &start);
-    dataset.read(values.data(), H5::PredType::NATIVE_DOUBLE, H5::DataSpace(1, &count), from);
-    for (hsize_t k = 0; k < count; ++k) seen.wrong += values[k] != value(s, start + k);
-    seen.rows = std::max<std::size_t>(seen.rows, rows);
+    std::vector<double> values(extent(dataset)[0]);
+    if (!values.empty()) dataset.read(values.data(), H5::PredType::NATIVE_DOUBLE);
+    std::size_t wrong = 0;
+    for (hsize_t row = 0; row < values.size(); ++row) wrong += values[row] != value(s, row);
+    EXPECT_EQ(wrong, 0U) << "of " << values.size() << " rows of " << name(s);
+    most = std::max<hsize_t>(most, values.size());
   }
-  const H5::DataSet frames = file.openDataSet("/frames/p");
-  std::vector<hsize_t> size = extent(frames);
-  if (size[0] == 0) return seen;
-  const hsize_t start[] = {size[0] - 1, 0}, one[] = {1, size[1]};
-  std::vector<float> last(size[1]);
-  H5::DataSpace from = frames.getSpace();
-  from.selectHyperslab(H5S_SELECT_SET, one, start);
-  frames.read(last.data(), H5::PredType::NATIVE_FLOAT, H5::DataSpace(2, one), from);
-  for (const float x : last) seen.wrong += x != static_cast<float>(size[0] - 1);
-  return seen;
+  return most;
 }
 
-TEST(OrderedFile, ShowsReadersAndAfterAKillNothingWrong) {
+TEST(OrderedFile, IsRightAfterEveryWriteOfACommit) {
   H5::Exception::dontPrint();
   const testing::ScratchFolder folder;
-  const std::filesystem::path path = folder.path() / "results.h5";
-  const pid_t writer = fork();
-  if (writer == 0) write_without_end(path);
-  Seen seen;
-  std::size_t right = 0, tries = 0, most_rows = 0;
-  const auto start = std::chrono::steady_clock::now();
-  constexpr std::size_t many_rows = 200 * 1024;  // as many chunks need tables of two levels
-  while (std::chrono::steady_clock::now() - start < std::chrono::seconds(most_rows < many_rows ? 60 : 3)) {
-    ++tries;
-    try {
-      seen = look(path);
-      ASSERT_EQ(seen.wrong, 0U) << "of the last of " << seen.rows << " rows";
-      most_rows = std::max(most_rows, seen.rows);
-      ++right;
-    } catch (const H5::Exception&) {
-      // It was written just then.
-    }
+  const std::filesystem::path path = folder.path() / "file.h5";
+  Growing file(path);
+  constexpr int commits = 40;  // tables of chunks get three levels
+  int looks = 0;
+  for (int k = 0; k < commits && !HasFailure(); ++k) {
+    const hsize_t before = file.rows();
+    file.append();
+    ASSERT_EQ(look(path), before) << "nothing is to be seen before the commit";
+    hsize_t seen = before;
+    after_write = [&] {
+      ++looks;
+      const hsize_t rows = look(path);
+      EXPECT_TRUE(rows == before || rows == file.rows()) << rows;
+      EXPECT_GE(rows, seen);
+      seen = rows;
+    };
+    EXPECT_NO_THROW(file.commit()) << "a reader got an error";
+    after_write = nullptr;
+    EXPECT_EQ(look(path), file.rows());
   }
-  kill(writer, SIGKILL);
-  waitpid(writer, nullptr, 0);
-  EXPECT_GT(right, tries / 10);
-  EXPECT_GE(most_rows, many_rows);
-  seen = look(path);
-  EXPECT_EQ(seen.wrong, 0U);
-  EXPECT_GE(seen.rows, most_rows);
+  EXPECT_GT(looks, 10 * commits);
 }
 
 }  // namespace
