@@ -236,39 +236,55 @@ TYPED_TEST(Operators, EveningOutStopsBesideTheFreeSurface) {
   EXPECT_EQ(even_out(particles, neighbors, l.i, l.reference.n0).norm(), 0);
 }
 
-/// Root mean square error of the Laplacian of a wave, in units of its root mean square.
+/// Root mean square errors of divergence and Laplacian of a wave, in units of their root mean squares.
 template <int dim>
-double wave_error(int count, double disorder) {
+std::pair<double, double> wave_errors(int count, double disorder) {
   const double h = 1.0 / count;
   auto cloud = block<dim>(test::Counts<dim>::Constant(count), h, disorder);
   const ReferenceValues reference = reference_values<dim>(2.1 * h, h);
   auto& particles = cloud.particles;
   constexpr double k = 3;
   for (int i = 0; i < particles.size(); ++i) particles.u[i] = (k * particles.x[i]).array().sin();
-  double error = 0, size = 0;
+  double error_div = 0, error_lap = 0, size_div = 0, size_lap = 0;
   for (int i = 0; i < particles.size(); ++i) {
     const Vec<dim>& x = particles.x[i];
     if (x.minCoeff() < 3 * h || x.maxCoeff() > 1 - 3 * h) continue;
+    const double exact = k * (k * x).array().cos().sum();
     const Vec<dim> curvature = -k * k * (k * x).array().sin();
-    error += (velocity_laplacian(particles, cloud.neighbors, i, reference.n0, reference.lambda0) - curvature)
-                 .squaredNorm();
-    size += curvature.squaredNorm();
+    error_div += std::pow(
+        near_divergence<dim>(particles, cloud.neighbors, i, reference.n0, Vec<dim>::Zero()) - exact, 2);
+    error_lap +=
+        (velocity_laplacian(particles, cloud.neighbors, i, reference.n0, reference.lambda0) - curvature)
+            .squaredNorm();
+    size_div += exact * exact;
+    size_lap += curvature.squaredNorm();
   }
-  return std::sqrt(error / size);
+  return {std::sqrt(error_div / size_div), std::sqrt(error_lap / size_lap)};
 }
 
-TEST(OperatorsOrder, OfTheLaplacianIsTwoOnTheLattice) {
+TEST(OperatorsOrder, IsTwoOnTheLattice) {
+  const auto [div_coarse, lap_coarse] = wave_errors<2>(32, 0);
+  const auto [div_fine, lap_fine] = wave_errors<2>(64, 0);
   // The region grows with the resolution (three spacings less at each side), hence not exactly 2.
-  EXPECT_NEAR(std::log2(wave_error<2>(32, 0) / wave_error<2>(64, 0)), 2, 0.2);
+  EXPECT_NEAR(std::log2(div_coarse / div_fine), 2, 0.2);
+  EXPECT_NEAR(std::log2(lap_coarse / lap_fine), 2, 0.2);
 }
 
 // The price of sums without correction, common to all of MPS: where particles lie in disorder, a linear field
-// already has an error of the order of the disorder, whatever h. So the Laplacian diverges (order -1).
-TEST(OperatorsOrder, OfTheLaplacianIsMinusOneInDisorder) {
-  const double coarse = wave_error<2>(32, 0.1), fine = wave_error<2>(128, 0.1);
-  RecordProperty("laplacian_error_32", std::to_string(coarse));
-  RecordProperty("laplacian_error_128", std::to_string(fine));
-  EXPECT_NEAR(0.5 * std::log2(coarse / fine), -1, 0.15);  // statistics of some 600 and 15 000 particles
+// already has an error of the order of the disorder, whatever h. So the divergence does not converge (order
+// 0), and the Laplacian diverges (order -1).
+TEST(OperatorsOrder, IsZeroForTheDivergenceAndMinusOneForTheLaplacianInDisorder) {
+  const auto [div_coarse, lap_coarse] = wave_errors<2>(32, 0.1);
+  const auto [div_fine, lap_fine] = wave_errors<2>(128, 0.1);
+  const double order_div = 0.5 * std::log2(div_coarse / div_fine);
+  const double order_lap = 0.5 * std::log2(lap_coarse / lap_fine);
+  RecordProperty("divergence_error_32", std::to_string(div_coarse));
+  RecordProperty("divergence_error_128", std::to_string(div_fine));
+  RecordProperty("laplacian_error_32", std::to_string(lap_coarse));
+  RecordProperty("laplacian_error_128", std::to_string(lap_fine));
+  EXPECT_NEAR(order_div, 0, 0.15);  // statistics of some 600 and 15 000 particles
+  EXPECT_NEAR(order_lap, -1, 0.15);
+  EXPECT_LT(div_fine, 0.15);  // the size of the disorder
 }
 
 }  // namespace
