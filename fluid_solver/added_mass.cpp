@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 
 #include "common/error.hpp"
 #include "fluid_solver/operators.hpp"
@@ -53,14 +54,12 @@ std::vector<double> AddedMass<dim>::right_hand_side(const Step& step, const Fiel
     velocity[static_cast<std::size_t>(step.body_place[k])] = shape.col(step.seen[k]);
   for (const Cover& cover : step.covers) velocity[cover.wall] = velocity[cover.by];
   particles.u.swap(velocity);
-  std::vector<double> divergence;
+  std::vector<double> divergence = step.poisson.divergence_by_bodies(particles, step.neighbors.grid());
   const std::vector<std::int32_t>& unknowns = step.poisson.unknowns();
-  if (step.poisson.has_open_surface())
-    divergence = step.poisson.divergence_by_bodies(particles, step.neighbors.grid());
-  else
-    for (const std::int32_t i : unknowns)
-      divergence.push_back(
-          near_divergence<dim>(particles, step.neighbors, i, step.reference.n0, Vec<dim>::Zero()));
+  for (std::size_t m = 0; m < unknowns.size(); ++m)
+    if (std::isnan(divergence[m]))
+      divergence[m] =
+          near_divergence<dim>(particles, step.neighbors, unknowns[m], step.reference.n0, Vec<dim>::Zero());
   particles.u.swap(velocity);
   std::vector<double> source(particles.u.size(), 0.0);
   for (std::size_t m = 0; m < unknowns.size(); ++m) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -39,6 +40,9 @@ class CellGrid {
   int cells() const { return static_cast<int>(start_.size()) - 1; }
   const CellIndex<dim>& counts() const { return count_; }
   double cell_size() const { return size_; }
+
+  /// Cells to each side that a radius [m] goes over.
+  int reach(double radius) const { return static_cast<int>(std::ceil(radius * (1 - 1e-9) / size_)); }
 
   /// Calls visit(first, last) for each contiguous range of places in the cells within `reach` cells around
   /// `cell`.

@@ -17,4 +17,12 @@ Vec<dim> along_face(const Vec<dim>& velocity, const Vec<dim>& n) {
   return velocity - velocity.dot(n) * n;
 }
 
+/// Whether the way [m] to a point, `r` long, leads behind the face of a body with this outward normal of any
+/// length: it makes less than 60 degrees with the inward one.
+template <int dim>
+bool behind_face(const Vec<dim>& normal, const Vec<dim>& way, double r) {
+  constexpr double facing_away = -0.5;
+  return normal.dot(way) < facing_away * normal.norm() * r;
+}
+
 }  // namespace cosurge::fluid

@@ -210,7 +210,7 @@ void Mps<dim>::set_face_load() {
 template <int dim>
 void Mps<dim>::predict(double start, double dt) {
   clock_.enter(predicting);
-  walls_.move(particles_, start + dt, dt);
+  if (may_cover()) walls_.move(particles_, start + dt, dt);
   speed_bound_ = std::max(speed_bound_, beyond_physical * walls_.speed());
   walls_.require_room(start + dt);
 #pragma omp parallel for schedule(static)
@@ -234,7 +234,7 @@ void Mps<dim>::search_neighbors(double time) {
   neighbors_.rebuild(particles_);
   locate_bodies();
   close_covered_faces();
-  covers_ = cover_walls(particles_, neighbors_, walls_, parameters_.spacing());
+  if (may_cover()) covers_ = cover_walls(particles_, neighbors_, walls_, parameters_.spacing());
   if (!open_surface()) covers_.clear();  // eq. (10) has walls at rest there
   follow_covers(particles_, covers_);
 }

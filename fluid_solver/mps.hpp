@@ -86,6 +86,8 @@ class Mps {
   void assemble(double dt);
   /// Whether missing neighbours count as air, and not flags: see pressure/open_surface.hpp.
   bool open_surface() const { return parameters_.source() == v1::Fluid::time_scale; }
+  /// Whether anything can cover a wall.
+  bool may_cover() const { return bodies_.points() > 0 || walls_.moves(); }
   double restitution() const;
   double near_deviation(int i) const;
   double near_smooth_deviation(int i) const;

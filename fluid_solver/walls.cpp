@@ -158,6 +158,11 @@ std::size_t Walls<dim>::part_of(std::int32_t id) const {
 }
 
 template <int dim>
+bool Walls<dim>::moves() const {
+  return std::any_of(parts_.begin(), parts_.end(), [](const Part& part) { return part.motion.moves(); });
+}
+
+template <int dim>
 bool Walls<dim>::moves_in_tank(std::int32_t id) const {
   const std::size_t part = part_of(id);
   return part > 0 && !parts_[part].with_tank;
@@ -205,8 +210,7 @@ double Walls<dim>::speed_between(double from, double to) const {
 
 template <int dim>
 void Walls<dim>::require_room(double t) const {
-  if (std::none_of(parts_.begin(), parts_.end(), [](const Part& part) { return part.motion.moves(); }))
-    return;
+  if (!moves()) return;
   for (std::size_t k = 1; k < parts_.size(); ++k)
     for (const Vec<dim>& X : parts_[k].place)
       require_room(static_cast<std::ptrdiff_t>(k) - 1, parts_[k].motion.place(X, t), t);

@@ -36,6 +36,9 @@ class Walls {
   /// Whether the wall particle with this id belongs to an obstacle that does not move with the tank.
   bool moves_in_tank(std::int32_t id) const;
 
+  /// Whether the tank or an obstacle moves.
+  bool moves() const;
+
   /// Puts the walls that move where they are at time `end`, with their mean velocity over `dt` before. Those
   /// that something has covered are walls again.
   void move(Particles<dim>& particles, double end, double dt);

@@ -1,7 +1,5 @@
 #include "fluid_solver/pressure/parting_at_faces.hpp"
 
-#include <cmath>
-
 #include "fluid_solver/faces.hpp"
 #include "fluid_solver/weight.hpp"
 
@@ -11,8 +9,7 @@ namespace {
 /// Calls visit(j, x_ij, w) for the particles within `re` of particle i.
 template <int dim, typename Visit>
 void each_seen(const Particles<dim>& particles, const CellGrid<dim>& grid, int i, double re, Visit&& visit) {
-  const int reach = static_cast<int>(std::ceil(re * (1 - 1e-9) / grid.cell_size()));
-  grid.ranges(grid.cell_of(particles.x[i]), reach, [&](std::int32_t first, std::int32_t last) {
+  grid.ranges(grid.cell_of(particles.x[i]), grid.reach(re), [&](std::int32_t first, std::int32_t last) {
     for (std::int32_t j = first; j < last; ++j) {
       const Vec<dim> x_ij = particles.x[j] - particles.x[i];
       const double w = weight_of(static_cast<float>(x_ij.squaredNorm()), static_cast<float>(re));
@@ -40,7 +37,6 @@ double parting_of_water(const Particles<dim>& particles, const CellGrid<dim>& gr
 template <int dim>
 double parting_of_face(const Particles<dim>& particles, const CellGrid<dim>& grid, int i, double re,
                        double face_factor, const Vec<dim>& kick) {
-  constexpr double facing_away = -0.5;  // cosine between the normal and the way to water behind the body
   const Vec<dim>& n = particles.normal[i];
   const bool on_body = of_body(particles.kind[i]);
   double ahead = 0, beside = 0, weights = 0;
@@ -54,11 +50,11 @@ double parting_of_face(const Particles<dim>& particles, const CellGrid<dim>& gri
       beside += w * across_face<dim>(u_ij - across, particles.normal[j]).dot(x_ij);
       return;
     }
-    if (on_body && n.dot(x_ij) < facing_away * x_ij.norm()) return;
-    const Vec<dim> across = across_face<dim>(u_ij - kick, n);
-    ahead += w * (u_ij - kick).dot(x_ij);
+    if (on_body && behind_face<dim>(n, x_ij, x_ij.norm())) return;
+    const Vec<dim> u = u_ij - kick;
+    ahead += w * u.dot(x_ij);
     weights += w;
-    along += w * (u_ij - kick - across);
+    along += w * (u - across_face<dim>(u, n));
     centre += w * x_ij;
   });
   if (weights > 0) ahead -= along.dot(centre) / weights;

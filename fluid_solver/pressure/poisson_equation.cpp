@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "fluid_solver/faces.hpp"
 #include "fluid_solver/pressure/parting_at_faces.hpp"
 #include "fluid_solver/weight.hpp"
 
@@ -13,12 +14,6 @@ namespace {
 
 constexpr int stretch = 64;  // candidates weighed in one go: as many as bits in a word
 constexpr int expected_blocks(int dim) { return dim == 2 ? 12 : 90; }  // on the lattice, and disorder
-constexpr double facing_away = -0.5;  // cosine between a wet face and the way to a neighbour behind the body
-
-template <int dim>
-bool behind(const Vec<dim>& area, const Vec<dim>& way, double r) {
-  return area.dot(way) < facing_away * area.norm() * r;
-}
 
 /// A bit for each of `lanes` numbers that is not zero.
 inline std::uint32_t not_zero(const float* numbers) {
@@ -92,11 +87,6 @@ double PoissonEquation<dim>::weight_at(const Vec<dim>& x_ij) const {
   return weight_of(static_cast<float>(x_ij.squaredNorm()), static_cast<float>(parameters_.re));
 }
 
-template <int dim>
-int PoissonEquation<dim>::reach(const CellGrid<dim>& grid) const {
-  return static_cast<int>(std::ceil(parameters_.re * (1 - 1e-9) / grid.cell_size()));
-}
-
 /// Lists for each cell the lines of cells around it.
 template <int dim>
 void PoissonEquation<dim>::list_cells(const CellGrid<dim>& grid, int reach) {
@@ -116,10 +106,11 @@ template <int dim>
 void PoissonEquation<dim>::assemble(const Particles<dim>& particles, const CellGrid<dim>& grid,
                                     const std::vector<Vec<dim>>& areas, double tau) {
   number_unknowns(particles, grid);
-  list_cells(grid, reach(grid));
+  list_cells(grid, grid.reach(parameters_.re));
   const double scale = reference_.lambda0 * reference_.n0 / (2 * dim);
   const double stiffness = scale * parameters_.compressibility * parameters_.density / (tau * tau);
-  const Assembly assembly{.particles = particles, .grid = grid, .areas = areas, .reach = reach(grid)};
+  const Assembly assembly{
+      .particles = particles, .grid = grid, .areas = areas, .reach = grid.reach(parameters_.re)};
   A_.own.resize(place_.size());
   A_.diagonal.resize(place_.size());
   wall_.resize(place_.size());
@@ -157,20 +148,18 @@ std::vector<double> PoissonEquation<dim>::divergence(const Particles<dim>& parti
   const Lines u = in_lines([&](int i) {
     return Vec<dim>(particles.kind[i] == Kind::fluid ? particles.u[i] : particles.u[i] + kick);
   });
-  const double per_sum = dim / (reference_.lambda0 * reference_.n0);
   std::vector<double> divergence(place_.size(), std::nan(""));
 #pragma omp parallel for schedule(dynamic, Rows::chunk)
   for (std::size_t m = 0; m < place_.size(); ++m) {
     const auto k = static_cast<int>(m);
-    const int i = place_[m];
-    const bool water = particles.kind[i] == Kind::fluid;
+    const bool water = particles.kind[place_[m]] == Kind::fluid;
     if (!parameters_.open_surface && (!water || (sight_[m] & (bodies | surface)) != 0)) continue;
-    const bool faces = !water || (sight_[m] & (walls | bodies)) != 0;
-    divergence[m] =
-        per_sum * (faces ? parting_at_faces(particles, grid, i, parameters_.re, reference_.face_factor, kick)
-                         : A_.template sum<Doubles>(k, [&](const Floats& weights, int column) {
-                             return parting(u, k, weights, column);
-                           }));
+    if (!water || (sight_[m] & (walls | bodies)) != 0)
+      divergence[m] = divergence_at_faces(particles, grid, place_[m], kick);
+    else
+      divergence[m] = per_sum() * A_.template sum<Doubles>(k, [&](const Floats& weights, int column) {
+        return parting(u, k, weights, column);
+      });
   }
   return divergence;
 }
@@ -178,14 +167,27 @@ std::vector<double> PoissonEquation<dim>::divergence(const Particles<dim>& parti
 template <int dim>
 std::vector<double> PoissonEquation<dim>::divergence_by_bodies(const Particles<dim>& particles,
                                                                const CellGrid<dim>& grid) const {
-  const double per_sum = dim / (reference_.lambda0 * reference_.n0);
   std::vector<double> divergence(place_.size(), 0.0);
 #pragma omp parallel for schedule(dynamic, Rows::chunk)
-  for (std::size_t m = 0; m < place_.size(); ++m)
-    if ((sight_[m] & bodies) != 0)
-      divergence[m] = per_sum * parting_at_faces<dim>(particles, grid, place_[m], parameters_.re,
-                                                      reference_.face_factor, Vec<dim>::Zero());
+  for (std::size_t m = 0; m < place_.size(); ++m) {
+    if ((sight_[m] & bodies) == 0) continue;
+    divergence[m] = parameters_.open_surface
+                        ? divergence_at_faces(particles, grid, place_[m], Vec<dim>::Zero())
+                        : std::nan("");
+  }
   return divergence;
+}
+
+/// From a sum of eq. (10b) to the divergence.
+template <int dim>
+double PoissonEquation<dim>::per_sum() const {
+  return dim / (reference_.lambda0 * reference_.n0);
+}
+
+template <int dim>
+double PoissonEquation<dim>::divergence_at_faces(const Particles<dim>& particles, const CellGrid<dim>& grid,
+                                                 int i, const Vec<dim>& kick) const {
+  return per_sum() * parting_at_faces(particles, grid, i, parameters_.re, reference_.face_factor, kick);
 }
 
 /// w_ij (u_j - u_i) . x_ij of unknown k and a block of others.
@@ -287,8 +289,9 @@ void PoissonEquation<dim>::hide_behind_bodies(const Assembly& assembly, int firs
     if (particles.kind[j] == Kind::body_surface) row.see(bodies);
     const Vec<dim> x_ij = particles.x[j] - particles.x[row.i];
     const double r = x_ij.norm();
-    const bool hidden = (on_body && behind<dim>(assembly.areas[row.i], x_ij, r)) ||
-                        (particles.kind[j] == Kind::body_surface && behind<dim>(assembly.areas[j], -x_ij, r));
+    const bool hidden =
+        (on_body && behind_face<dim>(assembly.areas[row.i], x_ij, r)) ||
+        (particles.kind[j] == Kind::body_surface && behind_face<dim>(assembly.areas[j], -x_ij, r));
     if (!hidden) continue;
     row.wall += static_cast<double>(weights[k]) * parameters_.density * parameters_.gravity.dot(x_ij);
     row.others += smooth_share(static_cast<double>(weights[k]));
@@ -318,9 +321,10 @@ void PoissonEquation<dim>::add_others(const Assembly& assembly, int first, int l
     if (w == 0) continue;
     const double r = x_ij.norm();
     const bool dry = parameters_.open_surface && particles.kind[j] != Kind::fluid;
-    const bool wall = dry || !has_pressure(particles.kind[j]) ||
-                      (on_body && behind<dim>(assembly.areas[row.i], x_ij, r)) ||
-                      (particles.kind[j] == Kind::body_surface && behind<dim>(assembly.areas[j], -x_ij, r));
+    const bool wall =
+        dry || !has_pressure(particles.kind[j]) ||
+        (on_body && behind_face<dim>(assembly.areas[row.i], x_ij, r)) ||
+        (particles.kind[j] == Kind::body_surface && behind_face<dim>(assembly.areas[j], -x_ij, r));
     if (wall) {
       row.wall += w * parameters_.density * parameters_.gravity.dot(x_ij);
       row.others += smooth_share(w);

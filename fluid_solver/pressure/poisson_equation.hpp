@@ -52,13 +52,12 @@ class PoissonEquation {
   std::vector<double> divergence(const Particles<dim>& particles, const CellGrid<dim>& grid,
                                  const Vec<dim>& kick) const;
 
-  /// The same with an open surface, where only bodies move: zero at unknowns that see no body.
+  /// The same where only bodies move: zero at unknowns that see no body.
   std::vector<double> divergence_by_bodies(const Particles<dim>& particles, const CellGrid<dim>& grid) const;
 
   /// The right-hand side of a source alone, without gravity at walls.
   std::vector<double> rows_of(const std::vector<double>& source) const;
 
-  bool has_open_surface() const { return parameters_.open_surface; }
   const Matrix& matrix() const { return A_; }
   const std::vector<double>& right_hand_side() const { return b_; }
   const CellsOfUnknowns& cells() const { return cells_; }
@@ -106,7 +105,9 @@ class PoissonEquation {
   Lines in_lines(Value&& value) const;
   Doubles parting(const Lines& velocity, int k, const Floats& weights, int column) const;
   double weight_at(const Vec<dim>& x_ij) const;
-  int reach(const CellGrid<dim>& grid) const;  // cells to each side that a row looks at
+  double per_sum() const;
+  double divergence_at_faces(const Particles<dim>& particles, const CellGrid<dim>& grid, int i,
+                             const Vec<dim>& kick) const;
 
   PoissonParameters<dim> parameters_;
   ReferenceValues reference_;
