@@ -25,7 +25,7 @@ Vec<dim> column(const Field& all, Eigen::Index n) {
 
 template <int dim>
 CarriedModel<dim>::CarriedModel(std::unique_ptr<SolidModel> model, const v1::Case& the_case)
-    : model_(std::move(model)), layout_(model_->layout()) {
+    : WrappedModel(std::move(model)), layout_(model_->layout()) {
   for (const v1::Body& body : the_case.solid().body()) motion_.emplace_back(motion_of(the_case, body));
   if (the_case.gravity_size() > 0) gravity_ = Eigen::Map<const Vec<dim>>(the_case.gravity().data());
   ramp_increment_ = Field::Zero(dim, model_->nodes());

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "common/motion.hpp"
-#include "solid_solver/solid_model.hpp"
+#include "solid_solver/wrapped_model.hpp"
 
 namespace cosurge {
 
@@ -13,32 +13,19 @@ namespace cosurge {
 /// get the forces of inertia of the carrier's motion. Displacements, velocities and energies are those in
 /// space.
 template <int dim>
-class CarriedModel : public SolidModel {
+class CarriedModel : public WrappedModel {
  public:
   CarriedModel(std::unique_ptr<SolidModel> model, const v1::Case& the_case);
 
-  Eigen::Index nodes() const override { return model_->nodes(); }
-  std::uint64_t particles() const override { return model_->particles(); }
-  Interpolation interpolation(const Field& position, const std::vector<int>& body) const override {
-    return model_->interpolation(position, body);
-  }
-  double substep() const override { return model_->substep(); }
   int advance(const Window& window, const NodalLoad& load) override;
   Field displacement() const override;
   Field velocity() const override;
   Field ramp_increment() const override { return ramp_increment_; }
   Field acceleration_by(const Field& load) const override;
-  double force_instant() const override { return model_->force_instant(); }
   double max_speed() const override { return velocity().colwise().norm().maxCoeff(); }
 
   /// The kinetic energy has that of clamped nodes, too: what holds them moves them.
   Energies energies() const override;
-  std::vector<NodalMode> modes(int count) const override { return model_->modes(count); }
-  std::vector<Column> columns() const override { return model_->columns(); }
-  std::vector<double> values() const override { return model_->values(); }
-  std::vector<std::string> take_notes() override { return model_->take_notes(); }
-  NodeLayout layout() const override { return model_->layout(); }
-  Field inertia(const Field& acceleration) const override { return model_->inertia(acceleration); }
   std::string save() const override;
   void restore(const std::string& state) override;
   Snapshot frame() const override;
@@ -54,7 +41,6 @@ class CarriedModel : public SolidModel {
   Field carrier_velocities(const Field& place, double t) const;
   Field apparent_acceleration(const Field& place, const Window& window) const;
 
-  std::unique_ptr<SolidModel> model_;
   NodeLayout layout_;
   std::vector<Motion<dim>> motion_;  // of what carries each body
   Vec<dim> gravity_ = Vec<dim>::Zero();

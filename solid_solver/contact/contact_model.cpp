@@ -37,7 +37,7 @@ double fall_speed(const v1::Case& the_case, const Field& vertices) {
 
 template <int dim>
 ContactModel<dim>::ContactModel(std::unique_ptr<SolidModel> model, const v1::Case& the_case, double spacing)
-    : model_(std::move(model)), neighborhood_(the_case, spacing) {
+    : WrappedModel(std::move(model)), neighborhood_(the_case, spacing) {
   H_ = vertex_interpolation(*model_, the_case.solid(), neighborhood_.vertices(), neighborhood_.body(),
                             spacing);
   neighborhood_.hold(empty_rows(H_));

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "solid_solver/contact/neighborhood.hpp"
-#include "solid_solver/solid_model.hpp"
+#include "solid_solver/wrapped_model.hpp"
 
 namespace cosurge::contact {
 
@@ -14,26 +14,12 @@ namespace cosurge::contact {
 /// springs' forces are held in each. Where nothing is near, the model goes through the window as it would
 /// alone, to the same bits.
 template <int dim>
-class ContactModel : public SolidModel {
+class ContactModel : public WrappedModel {
  public:
   ContactModel(std::unique_ptr<SolidModel> model, const v1::Case& the_case, double spacing);
 
-  Eigen::Index nodes() const override { return model_->nodes(); }
-  std::uint64_t particles() const override { return model_->particles(); }
-  Interpolation interpolation(const Field& position, const std::vector<int>& body) const override {
-    return model_->interpolation(position, body);
-  }
-  double substep() const override { return model_->substep(); }
   int advance(const Window& window, const NodalLoad& load) override;
-  Field displacement() const override { return model_->displacement(); }
-  Field velocity() const override { return model_->velocity(); }
-  Field acceleration_by(const Field& load) const override { return model_->acceleration_by(load); }
-  NodeLayout layout() const override { return model_->layout(); }
-  Field inertia(const Field& acceleration) const override { return model_->inertia(acceleration); }
   Field ramp_increment() const override { return touching_ ? ramp_increment_ : model_->ramp_increment(); }
-  double max_speed() const override { return model_->max_speed(); }
-  Energies energies() const override { return model_->energies(); }
-  std::vector<NodalMode> modes(int count) const override { return model_->modes(count); }
 
   /// The springs' energy, their work on the bodies so far, the mean of what tank and obstacles press with in
   /// the window, and the vertices that are pressed at its end.
@@ -43,7 +29,6 @@ class ContactModel : public SolidModel {
 
   std::string save() const override;
   void restore(const std::string& state) override;
-  Snapshot frame() const override { return model_->frame(); }
 
  private:
   using Touches = std::vector<Touch<dim>>;
@@ -62,7 +47,6 @@ class ContactModel : public SolidModel {
   void check_depth(const Touches& touches, double t) const;
   int step(const Window& part, const NodalLoad& load, double before, double share);
 
-  std::unique_ptr<SolidModel> model_;
   Neighborhood<dim> neighborhood_;
   Interpolation H_;                   // of the boundaries' vertices; rows of held ones are empty
   std::vector<Motion<dim>> carrier_;  // of what holds each body
