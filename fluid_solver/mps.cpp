@@ -13,10 +13,6 @@
 namespace cosurge::fluid {
 namespace {
 
-constexpr int loose = 3;  // neighbours up to which a particle flies freely and no longer limits the step
-constexpr double free_flight =
-    0.5;  // of l0 that such a particle may fly in a step: it must not pass a wall unseen
-
 // Times the speed of a fall or of a wall: no water is as fast.
 constexpr double beyond_physical = 10;
 
@@ -129,16 +125,6 @@ StepReport Mps<dim>::step(double start, double dt, std::uint32_t attempt) {
 }
 
 template <int dim>
-void Mps<dim>::move_bodies(const Field& displacement, const Field& velocity) {
-  faces_ = bodies_.deformed(displacement);
-  for (int k = 0; k < bodies_.points(); ++k) {
-    particles_.x[body_place_[k]] = bodies_.position(k) + displacement.col(k);
-    if (open_surface()) particles_.normal[body_place_[k]] = faces_.normal[k];
-  }
-  set_body_velocity(velocity);
-}
-
-template <int dim>
 void Mps<dim>::advance_to_pressure(double start, double dt) {
   predict(start, dt);  // u* = u + dt g, x* = x + dt u*; walls go to where they are at the end
   search_neighbors(start + dt);
@@ -162,48 +148,6 @@ void Mps<dim>::return_to_pressure() {
     if (particles_.kind[i] != Kind::fluid) continue;
     particles_.x[i] = predicted_x_[i];
     particles_.u[i] = predicted_u_[i];
-  }
-}
-
-template <int dim>
-void Mps<dim>::set_body_velocity(const Field& velocity) {
-  max_body_speed_ = 0;
-  for (int k = 0; k < bodies_.points(); ++k) {
-    particles_.u[body_place_[k]] = velocity.col(seen_[k]);
-    max_body_speed_ = std::max(max_body_speed_, velocity.col(k).norm());
-  }
-  follow_covers(particles_, covers_);
-}
-
-template <int dim>
-void Mps<dim>::load(Surface& surface) const {
-  for (int k = 0; k < bodies_.points(); ++k) {
-    if (particles_.kind[body_place_[k]] != Kind::body_surface) {
-      surface.pressure[k] = 0;
-      surface.force.col(k).setZero();
-      continue;
-    }
-    const double p = particles_.p[body_place_[k]];
-    surface.force.col(k) = -p * faces_.area[k] + face_load_[k];
-    const double area = faces_.area[k].norm();
-    surface.pressure[k] = area > 0 ? p - face_load_[k].dot(faces_.normal[k]) / area : p;
-  }
-}
-
-/// The pressure that is solved for belongs to the centres of the points, half a spacing inside the faces. On
-/// the way to a face at rest it changes by rho g . n l0 / 2, eq. (15); on the way to one that accelerates it
-/// does not: the source of the outermost points has half of what the Neumann condition asks for. Points grow
-/// wet as the pressure in them reaches that of half a spacing of water.
-template <int dim>
-void Mps<dim>::set_face_load() {
-  const Vec<dim> change = 0.5 * parameters_.spacing() * parameters_.density() * gravity_;
-  // With flags the surface lies half a spacing too low, and centres below a face make up for it.
-  const double full = open_surface() ? change.norm() : 0;
-  face_load_.assign(static_cast<std::size_t>(bodies_.points()), Vec<dim>::Zero());
-  for (int k = 0; k < bodies_.points() && full > 0; ++k) {
-    if (particles_.kind[body_place_[k]] != Kind::body_surface) continue;
-    const double wetness = std::clamp(particles_.p[body_place_[k]] / full, 0.0, 1.0);
-    face_load_[k] = -wetness * (faces_.spread[k] * change);
   }
 }
 
@@ -237,37 +181,6 @@ void Mps<dim>::search_neighbors(double time) {
   if (may_cover()) covers_ = cover_walls(particles_, neighbors_, walls_, parameters_.spacing());
   if (!open_surface()) covers_.clear();  // eq. (10) has walls at rest there
   follow_covers(particles_, covers_);
-}
-
-/// Points that a wall or another body covers are inner ones as long as it does.
-template <int dim>
-void Mps<dim>::close_covered_faces() {
-  if (faces_.area.empty()) return;
-  bodies_.set_open(
-      covered_faces_.find(bodies_, faces_, body_place_, particles_, neighbors_, parameters_.spacing()),
-      faces_);
-  for (int k = 0; k < bodies_.points(); ++k) {
-    const int i = body_place_[k];
-    areas_[i] = faces_.area[k];
-    if (bodies_.wet(k) && faces_.open[k] == 0) particles_.kind[i] = Kind::body_inner;
-  }
-}
-
-template <int dim>
-void Mps<dim>::locate_bodies() {
-  body_place_.assign(static_cast<std::size_t>(bodies_.points()), -1);
-  if (bodies_.points() > 0) areas_.resize(static_cast<std::size_t>(particles_.size()));
-  for (int i = 0; i < particles_.size(); ++i) {
-    const int point = particles_.id[i] - first_body_id_;
-    if (point < 0) continue;
-    body_place_[point] = i;
-    if (!faces_.area.empty()) areas_[i] = faces_.area[point];
-  }
-  if (const auto gone = std::count(body_place_.begin(), body_place_.end(), -1); gone > 0)
-    throw NumericalError(
-        fmt::format("{} of {} points of the bodies have left the fluid's domain: the solid has blown "
-                    "up, or fluid.tank is too small",
-                    gone, bodies_.points()));
 }
 
 /// Collisions of the paper's sources give some of the approach back; with an open surface they are plastic.
@@ -403,59 +316,6 @@ void Mps<dim>::shift(double dt) {
 #pragma omp parallel for schedule(static)
   for (int i = 0; i < particles_.size(); ++i)
     if (particles_.kind[i] == Kind::fluid) particles_.x[i] += push_[i];
-}
-
-/// Water is there, and no particle is faster than anything physical; `which` is the fastest.
-template <int dim>
-void Mps<dim>::check_bounds(int water, int which, double fastest, double end) const {
-  if (water == 0)
-    throw NumericalError(
-        fmt::format("no water is left at t = {:.6g} s: all of it has left the domain; raise fluid.tank or "
-                    "lower time.window",
-                    end));
-  if (!(fastest <= speed_bound_))
-    throw NumericalError(
-        fmt::format("fluid particle {} at ({:.4g}) moves at {:.4g} m/s at t = {:.6g} s, beyond any physical "
-                    "bound ({:.4g} m/s): the pressure has blown up; lower time.window or fluid.courant",
-                    particles_.id[which], fmt::join(particles_.x[which], ", "), fastest, end, speed_bound_));
-}
-
-/// Speeds, and the next step that they allow.
-template <int dim>
-StepReport Mps<dim>::survey(double end, double dt) {
-  double fastest = 0;  // of all
-  double fastest_bound = std::max({max_body_speed_, walls_.speed(), walls_.speed_between(end, end + dt)});
-  int which = -1;
-  int water = 0;
-  for (int i = 0; i < particles_.size(); ++i) {
-    if (particles_.kind[i] != Kind::fluid) continue;
-    ++water;
-    const double speed = particles_.u[i].norm();
-    if (!(speed <= fastest)) which = i, fastest = speed;
-    if (neighbors_.count(i) > loose) fastest_bound = std::max(fastest_bound, speed);
-    if (std::isnan(speed)) break;
-  }
-  check_bounds(water, which, fastest, end);
-  const double flight = free_flight * parameters_.spacing() / std::max(fastest, 1e-12);
-  return {.pressure = {}, .max_speed = fastest, .max_window = std::min(flight, longest_step(fastest_bound))};
-}
-
-/// Eq. (17) but for free flight, for water, walls and bodies of at most `speed` [m/s].
-template <int dim>
-double Mps<dim>::longest_step(double speed) const {
-  const double spacing = parameters_.spacing();
-  const double gravity = std::sqrt(spacing / std::max(gravity_.norm(), 1e-12));
-  const double viscous = 0.2 * spacing * spacing / std::max(parameters_.kinematic_viscosity(), 1e-12);
-  const double advective = parameters_.courant() * spacing / std::max(speed, 1e-12);
-  return std::min({advective, viscous, parameters_.courant() * gravity});
-}
-
-template <int dim>
-double Mps<dim>::first_window(double longest) const {
-  double window = std::min(longest, longest_step(max_body_speed_));
-  // Halved until the walls keep to it: a short window may have faster walls than a long one.
-  while (window > longest_step(walls_.speed_between(0, window))) window /= 2;
-  return window;
 }
 
 template class Mps<2>;

@@ -1,0 +1,105 @@
+// The structures in the water: where their points are, and the load on them.
+#include <algorithm>
+
+#include "common/error.hpp"
+#include "fluid_solver/mps.hpp"
+
+namespace cosurge::fluid {
+
+template <int dim>
+void Mps<dim>::move_bodies(const Field& displacement, const Field& velocity) {
+  faces_ = bodies_.deformed(displacement);
+  for (int k = 0; k < bodies_.points(); ++k) {
+    particles_.x[body_place_[k]] = bodies_.position(k) + displacement.col(k);
+    if (open_surface()) particles_.normal[body_place_[k]] = faces_.normal[k];
+  }
+  set_body_velocity(velocity);
+}
+
+template <int dim>
+void Mps<dim>::set_body_velocity(const Field& velocity) {
+  max_body_speed_ = 0;
+  for (int k = 0; k < bodies_.points(); ++k) {
+    particles_.u[body_place_[k]] = velocity.col(seen_[k]);
+    max_body_speed_ = std::max(max_body_speed_, velocity.col(k).norm());
+  }
+  follow_covers(particles_, covers_);
+}
+
+template <int dim>
+void Mps<dim>::load(Surface& surface) const {
+  for (int k = 0; k < bodies_.points(); ++k) {
+    if (particles_.kind[body_place_[k]] != Kind::body_surface) {
+      surface.pressure[k] = 0;
+      surface.force.col(k).setZero();
+      continue;
+    }
+    const double p = particles_.p[body_place_[k]];
+    surface.force.col(k) = -p * faces_.area[k] + face_load_[k];
+    const double area = faces_.area[k].norm();
+    surface.pressure[k] = area > 0 ? p - face_load_[k].dot(faces_.normal[k]) / area : p;
+  }
+}
+
+/// The pressure that is solved for belongs to the centres of the points, half a spacing inside the faces. On
+/// the way to a face at rest it changes by rho g . n l0 / 2, eq. (15); on the way to one that accelerates it
+/// does not: the source of the outermost points has half of what the Neumann condition asks for. Points grow
+/// wet as the pressure in them reaches that of half a spacing of water.
+template <int dim>
+void Mps<dim>::set_face_load() {
+  const Vec<dim> change = 0.5 * parameters_.spacing() * parameters_.density() * gravity_;
+  // With flags the surface lies half a spacing too low, and centres below a face make up for it.
+  const double full = open_surface() ? change.norm() : 0;
+  face_load_.assign(static_cast<std::size_t>(bodies_.points()), Vec<dim>::Zero());
+  for (int k = 0; k < bodies_.points() && full > 0; ++k) {
+    if (particles_.kind[body_place_[k]] != Kind::body_surface) continue;
+    const double wetness = std::clamp(particles_.p[body_place_[k]] / full, 0.0, 1.0);
+    face_load_[k] = -wetness * (faces_.spread[k] * change);
+  }
+}
+
+/// Points that a wall or another body covers are inner ones as long as it does.
+template <int dim>
+void Mps<dim>::close_covered_faces() {
+  if (faces_.area.empty()) return;
+  bodies_.set_open(
+      covered_faces_.find(bodies_, faces_, body_place_, particles_, neighbors_, parameters_.spacing()),
+      faces_);
+  for (int k = 0; k < bodies_.points(); ++k) {
+    const int i = body_place_[k];
+    areas_[i] = faces_.area[k];
+    if (bodies_.wet(k) && faces_.open[k] == 0) particles_.kind[i] = Kind::body_inner;
+  }
+}
+
+template <int dim>
+void Mps<dim>::locate_bodies() {
+  body_place_.assign(static_cast<std::size_t>(bodies_.points()), -1);
+  if (bodies_.points() > 0) areas_.resize(static_cast<std::size_t>(particles_.size()));
+  for (int i = 0; i < particles_.size(); ++i) {
+    const int point = particles_.id[i] - first_body_id_;
+    if (point < 0) continue;
+    body_place_[point] = i;
+    if (!faces_.area.empty()) areas_[i] = faces_.area[point];
+  }
+  if (const auto gone = std::count(body_place_.begin(), body_place_.end(), -1); gone > 0)
+    throw NumericalError(
+        fmt::format("{} of {} points of the bodies have left the fluid's domain: the solid has blown "
+                    "up, or fluid.tank is too small",
+                    gone, bodies_.points()));
+}
+
+template void Mps<2>::move_bodies(const Field&, const Field&);
+template void Mps<3>::move_bodies(const Field&, const Field&);
+template void Mps<2>::set_body_velocity(const Field&);
+template void Mps<3>::set_body_velocity(const Field&);
+template void Mps<2>::load(Surface&) const;
+template void Mps<3>::load(Surface&) const;
+template void Mps<2>::set_face_load();
+template void Mps<3>::set_face_load();
+template void Mps<2>::close_covered_faces();
+template void Mps<3>::close_covered_faces();
+template void Mps<2>::locate_bodies();
+template void Mps<3>::locate_bodies();
+
+}  // namespace cosurge::fluid

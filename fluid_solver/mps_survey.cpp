@@ -1,0 +1,75 @@
+// How fast the water is after a step, and the next step that this allows.
+#include <algorithm>
+#include <cmath>
+
+#include "common/error.hpp"
+#include "fluid_solver/mps.hpp"
+
+namespace cosurge::fluid {
+namespace {
+
+constexpr int loose = 3;  // neighbours up to which a particle flies freely and no longer limits the step
+constexpr double free_flight =
+    0.5;  // of l0 that such a particle may fly in a step: it must not pass a wall unseen
+
+}  // namespace
+
+/// Water is there, and no particle is faster than anything physical; `which` is the fastest.
+template <int dim>
+void Mps<dim>::check_bounds(int water, int which, double fastest, double end) const {
+  if (water == 0)
+    throw NumericalError(
+        fmt::format("no water is left at t = {:.6g} s: all of it has left the domain; raise fluid.tank or "
+                    "lower time.window",
+                    end));
+  if (!(fastest <= speed_bound_))
+    throw NumericalError(
+        fmt::format("fluid particle {} at ({:.4g}) moves at {:.4g} m/s at t = {:.6g} s, beyond any physical "
+                    "bound ({:.4g} m/s): the pressure has blown up; lower time.window or fluid.courant",
+                    particles_.id[which], fmt::join(particles_.x[which], ", "), fastest, end, speed_bound_));
+}
+
+/// Speeds, and the next step that they allow.
+template <int dim>
+StepReport Mps<dim>::survey(double end, double dt) {
+  double fastest = 0;  // of all
+  double fastest_bound = std::max({max_body_speed_, walls_.speed(), walls_.speed_between(end, end + dt)});
+  int which = -1;
+  int water = 0;
+  for (int i = 0; i < particles_.size(); ++i) {
+    if (particles_.kind[i] != Kind::fluid) continue;
+    ++water;
+    const double speed = particles_.u[i].norm();
+    if (!(speed <= fastest)) which = i, fastest = speed;
+    if (neighbors_.count(i) > loose) fastest_bound = std::max(fastest_bound, speed);
+    if (std::isnan(speed)) break;
+  }
+  check_bounds(water, which, fastest, end);
+  const double flight = free_flight * parameters_.spacing() / std::max(fastest, 1e-12);
+  return {.pressure = {}, .max_speed = fastest, .max_window = std::min(flight, longest_step(fastest_bound))};
+}
+
+/// Eq. (17) but for free flight, for water, walls and bodies of at most `speed` [m/s].
+template <int dim>
+double Mps<dim>::longest_step(double speed) const {
+  const double spacing = parameters_.spacing();
+  const double gravity = std::sqrt(spacing / std::max(gravity_.norm(), 1e-12));
+  const double viscous = 0.2 * spacing * spacing / std::max(parameters_.kinematic_viscosity(), 1e-12);
+  const double advective = parameters_.courant() * spacing / std::max(speed, 1e-12);
+  return std::min({advective, viscous, parameters_.courant() * gravity});
+}
+
+template <int dim>
+double Mps<dim>::first_window(double longest) const {
+  double window = std::min(longest, longest_step(max_body_speed_));
+  // Halved until the walls keep to it: a short window may have faster walls than a long one.
+  while (window > longest_step(walls_.speed_between(0, window))) window /= 2;
+  return window;
+}
+
+template StepReport Mps<2>::survey(double, double);
+template StepReport Mps<3>::survey(double, double);
+template double Mps<2>::first_window(double) const;
+template double Mps<3>::first_window(double) const;
+
+}  // namespace cosurge::fluid
