@@ -5,6 +5,7 @@
 #include <cstring>
 #include <random>
 
+#include "tests/support/cosurge_program.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/results.hpp"
 #include "tests/support/scratch_folder.hpp"
@@ -15,7 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-const std::string cosurge_program = fs::path(COSURGE_PROGRAMS) / "cosurge";
 constexpr double patience = 300;  // s: a tenth is enough on an idle machine
 
 std::string bytes_of(const fs::path& path) {
@@ -34,8 +34,8 @@ class Checkpoints : public ::testing::Test {
   /// A run that was cut at its last but one frame, with the two checkpoints that there were; and a whole one.
   void SetUp() override {
     H5::Exception::dontPrint();
-    Program run({cosurge_program, "run", COSURGE_SOURCE_DIR "/tests/cases/small_dam_break", "--in-process",
-                 "--threads", "1", "--out", whole_, "--set", "time.end=0.008", "output.frame_interval=0.002"},
+    Program run({cosurge_program, "run", small_dam_break, "--in-process", "--threads", "1", "--out", whole_,
+                 "--set", "time.end=0.008", "output.frame_interval=0.002"},
                 scratch_.path() / "whole.log");
     while (!fs::exists(whole_ / "checkpoint.old") && run.running())
       std::this_thread::sleep_for(std::chrono::microseconds(200));

@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "tests/support/cosurge_program.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/results.hpp"
 #include "tests/support/scratch_folder.hpp"
@@ -15,7 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-const std::string cosurge_program = fs::path(COSURGE_PROGRAMS) / "cosurge";
 const std::string failing_disk = FAILING_DISK;
 constexpr double patience = 300;  // s: a tenth is enough on an idle machine
 
@@ -38,8 +38,8 @@ class FailingDisk : public ::testing::Test {
   /// `error`, or kills the program where that is 0.
   static Program run(const std::string& name, const std::string& word, long at, int error) {
     return program(name, word, at, error,
-                   {"run", COSURGE_SOURCE_DIR "/tests/cases/small_dam_break", "--out", scratch->path() / name,
-                    "--set", "time.end=0.01", "output.frame_interval=0.002"});
+                   {"run", small_dam_break, "--out", scratch->path() / name, "--set", "time.end=0.01",
+                    "output.frame_interval=0.002"});
   }
 
   static Program resume(const std::string& name, long at = 0, int error = 0) {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "tests/support/cosurge_program.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/results.hpp"
 #include "tests/support/scratch_folder.hpp"
@@ -12,7 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string cosurge_program = fs::path(COSURGE_PROGRAMS) / "cosurge";
 const std::string case_folder = COSURGE_SOURCE_DIR "/cases/foreign_solid";
 const std::string plate = case_folder + "/plate.py";
 constexpr double patience = 240;  // [s]; tens of times what these runs take on an idle machine

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "tests/support/cosurge_program.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/results.hpp"
 #include "tests/support/scratch_folder.hpp"
@@ -14,8 +15,6 @@ namespace fs = std::filesystem;
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
-const std::string cosurge_program = fs::path(COSURGE_PROGRAMS) / "cosurge";
-const std::string small_dam_break = COSURGE_SOURCE_DIR "/tests/cases/small_dam_break";
 constexpr double patience = 900;  // s: with sanitizers, on a busy machine
 
 class Interrupt : public ::testing::Test {

@@ -4,6 +4,7 @@
 
 #include <regex>
 
+#include "tests/support/cosurge_program.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/scratch_folder.hpp"
 
@@ -14,8 +15,6 @@ namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-const std::string cosurge_program = fs::path(COSURGE_PROGRAMS) / "cosurge";
-const std::string small_dam_break = COSURGE_SOURCE_DIR "/tests/cases/small_dam_break";
 constexpr double patience = 300;  // s: a tenth is enough on an idle machine
 
 class Map : public ::testing::Test {

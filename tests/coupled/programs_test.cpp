@@ -9,6 +9,7 @@
 #include <iterator>
 #include <sstream>
 
+#include "tests/support/cosurge_program.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/results.hpp"
 #include "tests/support/scratch_folder.hpp"
@@ -18,8 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string cosurge_program = fs::path(COSURGE_PROGRAMS) / "cosurge";
-const std::string small_dam_break = COSURGE_SOURCE_DIR "/tests/cases/small_dam_break";
 constexpr double patience = 900;  // s: with sanitizers, on a busy machine; ten is enough on an idle one
 
 class Programs : public ::testing::Test {

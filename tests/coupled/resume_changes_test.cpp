@@ -5,6 +5,7 @@
 #include <cstring>
 #include <fstream>
 
+#include "tests/support/cosurge_program.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/results.hpp"
 #include "tests/support/scratch_folder.hpp"
@@ -16,7 +17,6 @@ namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-const std::string cosurge_program = fs::path(COSURGE_PROGRAMS) / "cosurge";
 constexpr double patience = 900;  // s: with sanitizers, on a busy machine
 
 class ResumeWithChanges : public ::testing::Test {
@@ -32,8 +32,7 @@ class ResumeWithChanges : public ::testing::Test {
     return program.output();
   }
   std::string run(const std::string& name, const std::vector<std::string>& settings,
-                  const std::string& which = COSURGE_SOURCE_DIR "/tests/cases/small_dam_break",
-                  int status = 0) {
+                  const std::string& which = small_dam_break, int status = 0) {
     return output_of(status, with_settings({"run", which, "--out", folder(name)}, settings));
   }
   std::string resume(const std::string& name, const std::vector<std::string>& settings, int status = 0) {
@@ -115,7 +114,7 @@ TEST_F(ResumeWithChanges, WhatAStateDependsOnIsRefusedAllAtOnceAndNothingIsWritt
 
 TEST_F(ResumeWithChanges, ACaseFileThatHasChangedSinceIsTold) {
   const fs::path own = scratch_.path() / "case";
-  fs::copy(COSURGE_SOURCE_DIR "/tests/cases/small_dam_break", own, fs::copy_options::recursive);
+  fs::copy(small_dam_break, own, fs::copy_options::recursive);
   run("run", {"time.end=0.02"}, own);
   EXPECT_THAT(resume("run", {"time.end=0.04"}), Not(HasSubstr("has changed")));
   std::ifstream file(own / "case.toml");

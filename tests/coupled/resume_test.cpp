@@ -4,6 +4,7 @@
 
 #include <cstring>
 
+#include "tests/support/cosurge_program.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/results.hpp"
 #include "tests/support/scratch_folder.hpp"
@@ -14,8 +15,6 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-const std::string cosurge_program = fs::path(COSURGE_PROGRAMS) / "cosurge";
-const std::string small_dam_break = COSURGE_SOURCE_DIR "/tests/cases/small_dam_break";
 constexpr double patience = 900;  // s: with sanitizers, on a busy machine
 
 class Resume : public ::testing::Test {

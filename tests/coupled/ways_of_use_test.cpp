@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "common/probe_columns.hpp"
+#include "tests/support/cosurge_program.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/results.hpp"
 #include "tests/support/scratch_folder.hpp"
@@ -19,7 +20,6 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-const std::string cosurge_program = fs::path(COSURGE_PROGRAMS) / "cosurge";
 constexpr double patience = 900;  // s: with sanitizers, on a busy machine; ten is enough on an idle one
 
 /// A tank of 0.4 x 0.4 m with 200 particles of water, for a moment.
@@ -212,9 +212,8 @@ frame_interval = 0.1
 }
 
 TEST_F(WaysOfUse, AMapTakesVectorsAndFailsWhereEveryCellHas) {
-  const std::string dam_break = COSURGE_SOURCE_DIR "/tests/cases/small_dam_break";
   const std::string map =
-      cosurge("map " + dam_break + " --set time.end=0.005 solid.model=modal --out m.csv --over ");
+      cosurge("map " + small_dam_break + " --set time.end=0.005 solid.model=modal --out m.csv --over ");
   EXPECT_THAT(run(map + "'gravity=[0,-9.81],[0.0,-1.62]'", scratch_.path()),
               HasSubstr("[0.0,-1.62]: stable"));
   std::ifstream file(scratch_.path() / "m.csv");
@@ -227,13 +226,12 @@ TEST_F(WaysOfUse, AMapTakesVectorsAndFailsWhereEveryCellHas) {
 
 // The names that common/probe_columns.cpp keeps from probes are those of the solvers.
 TEST_F(WaysOfUse, TheColumnsOfTheResultsAreThoseThatNoProbeMayHave) {
-  const std::string dam_break = COSURGE_SOURCE_DIR "/tests/cases/small_dam_break";
   for (const char* model : {"fem", "rigid", "sprung", "mps", "modal", "hamiltonian"}) {
     const std::string spring =
         std::string(model) == "sprung" ? " 'solid.sprung.spring=[{ motion = \"x\" }]'" : "";
     run(cosurge(fmt::format("run {} --in-process --out {} --set time.end=0.002 output.frame_interval=0.001 "
                             "output.probe=[] solid.model={}{}",
-                            dam_break, model, model, spring)),
+                            small_dam_break, model, model, spring)),
         scratch_.path());
     for (const auto& [name, values] : read_results(scratch_.path() / model)) {
       for (const std::string group : {"fluid", "solid"}) {
