@@ -30,8 +30,10 @@ std::string probe_group(const v1::Probe& probe) {
 }
 
 std::vector<std::string> probe_columns(const v1::Probe& probe, int dimension) {
-  const bool vector = probe.quantity() == v1::Probe::displacement || probe.quantity() == v1::Probe::force;
-  if (!vector) return {probe.name()};
+  const bool has_direction = probe.quantity() == v1::Probe::displacement ||
+                             probe.quantity() == v1::Probe::force ||
+                             (probe.quantity() == v1::Probe::moment && dimension == 3);
+  if (!has_direction) return {probe.name()};
   std::vector<std::string> columns;
   for (int axis = 0; axis < dimension; ++axis) columns.push_back(probe.name() + "_" + "xyz"[axis]);
   return columns;

@@ -11,7 +11,8 @@ namespace cosurge {
 /// The solver whose columns a probe's belong to: "fluid", or "solid" for displacements.
 std::string probe_group(const v1::Probe& probe);
 
-/// Names of its columns: a vector has one for each direction ("tip_x").
+/// Names of its columns: a vector has one for each direction ("tip_x"). A moment
+/// in two dimensions is no vector.
 std::vector<std::string> probe_columns(const v1::Probe& probe, int dimension);
 
 /// Whether the solver of this group has a column of this name without any probe, among those that a probe's

@@ -7,6 +7,7 @@
 
 #include "common/error.hpp"
 #include "common/probe_columns.hpp"
+#include "common/probe_mount.hpp"
 #include "common/shape.hpp"
 #include "common/snap_probes.hpp"
 
@@ -21,20 +22,28 @@ bool in_the_tank(const v1::Box& tank, const v1::Probe& probe) {
   return true;
 }
 
-/// A probe of a body must lie in or on one, one of the water in the tank.
+/// Displacement is a body's; a load is that of a body, an obstacle or a side of the tank; pressure is that on
+/// a face or in the water.
 void check_place(const v1::Case& c, const v1::Probe& probe, const std::string& key, CaseErrors& errors) {
-  const bool on_body = body_at(c.solid(), probe.position()) >= 0;
-  const bool of_body = probe.quantity() == v1::Probe::displacement || probe.quantity() == v1::Probe::force;
-  if (of_body && !on_body) {
+  using On = ProbeMount::On;
+  const ProbeMount mount = mount_of(c, probe);
+  const bool of_load = probe.quantity() == v1::Probe::force || probe.quantity() == v1::Probe::moment;
+  const auto refuse = [&](const std::string& where) {
     const std::string nearest = nearest_body(c, probe);
-    errors.add(key + ".position", "must lie in or on a body" + (nearest.empty() ? "" : "; " + nearest));
+    errors.add(key + ".position", where + (nearest.empty() ? "" : "; " + nearest));
+  };
+  if (probe.quantity() == v1::Probe::displacement) {
+    if (mount.on != On::body) refuse("must lie in or on a body");
+  } else if (of_load) {
+    if (mount.on == On::tank)
+      refuse("must lie in or on a body or an obstacle, or on the floor or a side wall of fluid.tank");
+  } else if (mount.on == On::tank && !in_the_tank(c.fluid().tank(), probe)) {
+    errors.add(key + ".position", "must lie in fluid.tank or on a body");
   }
-  if (probe.quantity() == v1::Probe::pressure && on_body) {
+  if (probe.quantity() == v1::Probe::pressure && (mount.on == On::body || mount.on == On::obstacle)) {
     const std::string deep = too_deep(c, probe);
     if (!deep.empty()) errors.add(key + ".position", deep);
   }
-  if (!of_body && !on_body && !in_the_tank(c.fluid().tank(), probe))
-    errors.add(key + ".position", "must lie in fluid.tank or on a body");
 }
 
 /// No column of a probe is that of another probe, or one that the results have without it.

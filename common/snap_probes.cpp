@@ -6,12 +6,13 @@
 #include <algorithm>
 #include <limits>
 
+#include "common/probe_mount.hpp"
 #include "common/shape.hpp"
 
 namespace cosurge {
 namespace {
 
-/// The point of the bodies that is nearest to one outside of all.
+/// The point of a shape that is nearest to another point.
 struct Nearest {
   int body = -1;
   double distance = std::numeric_limits<double>::infinity();
@@ -19,12 +20,19 @@ struct Nearest {
 };
 
 template <int dim>
+Nearest nearest_of(const v1::Shape& shape, const Vec<dim>& x) {
+  const Vec<dim> on = Shape<dim>(shape).nearest(x);
+  return {.distance = (on - x).norm(), .point = {on.begin(), on.end()}};
+}
+
+template <int dim>
 Nearest nearest_point(const v1::Solid& solid, const Vec<dim>& x) {
   Nearest nearest;
   for (int b = 0; b < solid.body_size(); ++b) {
-    const Vec<dim> on = Shape<dim>(shape_of(solid.body(b))).nearest(x);
-    if ((on - x).norm() >= nearest.distance) continue;
-    nearest = {.body = b, .distance = (on - x).norm(), .point = {on.begin(), on.end()}};
+    Nearest candidate = nearest_of(shape_of(solid.body(b)), x);
+    if (candidate.distance >= nearest.distance) continue;
+    candidate.body = b;
+    nearest = candidate;
   }
   return nearest;
 }
@@ -72,16 +80,20 @@ std::string nearest_body(const v1::Case& c, const v1::Probe& probe) {
 }
 
 std::string too_deep(const v1::Case& c, const v1::Probe& probe) {
-  v1::Case only;  // the body that the probe lies in
-  only.set_dimension(c.dimension());
-  *only.mutable_solid()->add_body() = c.solid().body(body_at(c.solid(), probe.position()));
-  const Nearest nearest = nearest_point(only, probe);
+  const ProbeMount mount = mount_of(c, probe);
+  const bool on_body = mount.on == ProbeMount::On::body;
+  const v1::Shape shape =
+      on_body ? shape_of(c.solid().body(mount.number)) : c.fluid().obstacle(mount.number).shape();
+  const Nearest nearest = c.dimension() == 2
+                              ? nearest_of<2>(shape, Eigen::Map<const Vec<2>>(probe.position().data()))
+                              : nearest_of<3>(shape, Eigen::Map<const Vec<3>>(probe.position().data()));
   constexpr double rounding = 1e-6;
   if (nearest.distance <= (1 + rounding) * c.fluid().spacing()) return "";
   return fmt::format(
-      "lies {:.3g} m within a body: pressure is that on its surface, which is nearest at {}; move "
-      "the probe there",
-      nearest.distance, text(nearest.point));
+      "lies {:.3g} m within {}: pressure is that on its surface, which is nearest at {}; move the probe "
+      "there",
+      nearest.distance, on_body ? "a body" : fmt::format("fluid.obstacle.{}", mount.number),
+      text(nearest.point));
 }
 
 }  // namespace cosurge

@@ -5,7 +5,7 @@
 
 namespace cosurge {
 
-/// Moves probes of displacement, force and pressure that lie off every body, but by less than a hundredth of
+/// Moves probes, but for those of levels, that lie off every body, but by less than a hundredth of
 /// a spacing, onto the surface of the nearest one: coordinates of outlines are rounded. (Farther off,
 /// pressure is that of the water beside the body.)
 void snap_probes(v1::Case& the_case);
@@ -13,8 +13,8 @@ void snap_probes(v1::Case& the_case);
 /// Where the nearest body is: "solid.body.0 is 0.02 m away, at (0.1, 0.05)". Empty where there is none.
 std::string nearest_body(const v1::Case& the_case, const v1::Probe& probe);
 
-/// What to say of a probe of pressure that lies in a body, farther from its surface than a spacing; else
-/// nothing.
+/// What to say of a probe of pressure that lies in a body or obstacle, farther from its surface than a
+/// spacing; else nothing.
 std::string too_deep(const v1::Case& the_case, const v1::Probe& probe);
 
 }  // namespace cosurge

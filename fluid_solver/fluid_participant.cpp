@@ -1,12 +1,11 @@
 #include "fluid_solver/fluid_participant.hpp"
 
-#include "common/probe_columns.hpp"
 #include "common/solvers.hpp"
 #include "common/version.hpp"
 #include "fluid_solver/gauges.hpp"
 #include "fluid_solver/lost_water.hpp"
 #include "fluid_solver/mps.hpp"
-#include "fluid_solver/water_level.hpp"
+#include "fluid_solver/probes.hpp"
 
 namespace cosurge::fluid {
 
@@ -55,7 +54,9 @@ class FluidParticipant::SceneOf : public Scene {
                 .window = mps_.first_window(case_.time().window()),
                 .substep = 0};
     for (const Column& column : LostWater<dim>::columns()) setup.columns.push_back(column);
-    for (const v1::Probe& probe : case_.output().probe()) add_gauge(probe, interface, setup.columns);
+    interface_ = interface;
+    probes_ = std::make_unique<Probes<dim>>(case_, mps_, interface_);
+    for (const Column& column : probes_->columns()) setup.columns.push_back(column);
     return setup;
   }
 
@@ -85,8 +86,8 @@ class FluidParticipant::SceneOf : public Scene {
     for (const double seconds : mps_.clock().seconds()) report.values.push_back(seconds);
     report.values.push_back(cpu_seconds() - cpu_start_);
     for (const double value : lost_water_.values()) report.values.push_back(value);
-    if (has_levels_) parts_ = connected_water(mps_, spacing());
-    for (const auto& gauge : gauges_) report.values.push_back(gauge(surface));
+    for (const double value : probes_->read({.surface = surface, .end = window.start + window.size}))
+      report.values.push_back(value);
     report.window = step.max_window;
     return report;
   }
@@ -134,47 +135,12 @@ class FluidParticipant::SceneOf : public Scene {
   double spacing() const { return case_.fluid().spacing(); }
   double particle_mass() const { return case_.fluid().density() * std::pow(spacing(), dim); }
 
-  void add_gauge(const v1::Probe& probe, const Interface& interface, std::vector<Column>& columns) {
-    const Vec<dim> x = Eigen::Map<const Vec<dim>>(probe.position().data());
-    const int body = body_at(case_.solid(), probe.position());
-    const double floor = case_.fluid().tank().min(dim - 1);
-    switch (probe.quantity()) {
-      case v1::Probe::displacement:
-        return;  // the solid's
-      case v1::Probe::pressure:
-        columns.push_back({probe.name(), "Pa"});
-        if (body >= 0)
-          gauges_.push_back([at = SurfacePressureProbe<dim>(probe.name(), x, interface, spacing())](
-                                const Surface& surface) { return at.read(surface.pressure); });
-        else
-          gauges_.push_back([this, x](const Surface&) { return pressure_at(mps_, x); });
-        return;
-      case v1::Probe::level:
-        columns.push_back({probe.name(), "m"});
-        has_levels_ = true;
-        gauges_.push_back(
-            [this, x, floor](const Surface&) { return level_at(mps_, parts_, x, floor, spacing()); });
-        return;
-      case v1::Probe::force:
-        for (int axis = 0; axis < dim; ++axis) {
-          columns.push_back({probe_columns(probe, dim)[static_cast<std::size_t>(axis)], "N"});
-          gauges_.push_back([axis, body, bodies = interface.body](const Surface& surface) {
-            double sum = 0;
-            for (std::size_t k = 0; k < bodies.size(); ++k)
-              if (bodies[k] == body) sum += surface.force(axis, static_cast<Eigen::Index>(k));
-            return sum;
-          });
-        }
-    }
-  }
-
   v1::Case case_;
   Vec<dim> gravity_;
   Mps<dim> mps_;
   LostWater<dim> lost_water_;
-  std::vector<std::function<double(const Surface&)>> gauges_;  // of the probes, a column each
-  WaterParts parts_;                                           // for levels, of this window
-  bool has_levels_ = false;
+  Interface interface_;
+  std::unique_ptr<Probes<dim>> probes_;
   double cpu_start_ = cpu_seconds();
 };
 

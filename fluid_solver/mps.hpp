@@ -54,6 +54,15 @@ class Mps {
   /// [Pa].
   void load(Surface& surface) const;
 
+  /// What the pressure changes by on the way from the centre of a wet particle to its face at rest [Pa/m]:
+  /// rho g, but nothing with flags, where the surface lies half a spacing too low and makes up for it.
+  Vec<dim> slope_to_faces() const;
+
+  /// Share of that change for a particle of a wall or body with the pressure p [Pa]: it grows wet as p
+  /// reaches the pressure of half a spacing of water, eq. (15).
+  double wetness(double p) const;
+
+  const Walls<dim>& walls() const { return walls_; }
   const Bodies<dim>& bodies() const { return bodies_; }
   const Particles<dim>& particles() const { return particles_; }
   /// Longest first step [s]: eq. (17) for water at rest, and for walls that move at once.
@@ -62,6 +71,7 @@ class Mps {
   int initial_size() const { return initial_size_; }
   const Neighbors<dim>& neighbors() const { return neighbors_; }
   double n0() const { return reference_.n0; }
+  double spacing() const { return parameters_.spacing(); }
   const PhaseClock<phase_count>& clock() const { return clock_; }
   int unknowns() const { return poisson_.matrix().size(); }
   std::int64_t matrix_entries() const { return poisson_.matrix().entries(); }

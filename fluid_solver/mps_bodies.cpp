@@ -41,20 +41,27 @@ void Mps<dim>::load(Surface& surface) const {
   }
 }
 
+template <int dim>
+Vec<dim> Mps<dim>::slope_to_faces() const {
+  return open_surface() ? Vec<dim>(parameters_.density() * gravity_) : Vec<dim>::Zero();
+}
+
+template <int dim>
+double Mps<dim>::wetness(double p) const {
+  const double full = 0.5 * parameters_.spacing() * slope_to_faces().norm();
+  return full > 0 ? std::clamp(p / full, 0.0, 1.0) : 0;
+}
+
 /// The pressure that is solved for belongs to the centres of the points, half a spacing inside the faces. On
 /// the way to a face at rest it changes by rho g . n l0 / 2, eq. (15); on the way to one that accelerates it
-/// does not: the source of the outermost points has half of what the Neumann condition asks for. Points grow
-/// wet as the pressure in them reaches that of half a spacing of water.
+/// does not: the source of the outermost points has half of what the Neumann condition asks for.
 template <int dim>
 void Mps<dim>::set_face_load() {
-  const Vec<dim> change = 0.5 * parameters_.spacing() * parameters_.density() * gravity_;
-  // With flags the surface lies half a spacing too low, and centres below a face make up for it.
-  const double full = open_surface() ? change.norm() : 0;
+  const Vec<dim> change = 0.5 * parameters_.spacing() * slope_to_faces();
   face_load_.assign(static_cast<std::size_t>(bodies_.points()), Vec<dim>::Zero());
-  for (int k = 0; k < bodies_.points() && full > 0; ++k) {
+  for (int k = 0; k < bodies_.points(); ++k) {
     if (particles_.kind[body_place_[k]] != Kind::body_surface) continue;
-    const double wetness = std::clamp(particles_.p[body_place_[k]] / full, 0.0, 1.0);
-    face_load_[k] = -wetness * (faces_.spread[k] * change);
+    face_load_[k] = -wetness(particles_.p[body_place_[k]]) * (faces_.spread[k] * change);
   }
 }
 
@@ -95,6 +102,10 @@ template void Mps<2>::set_body_velocity(const Field&);
 template void Mps<3>::set_body_velocity(const Field&);
 template void Mps<2>::load(Surface&) const;
 template void Mps<3>::load(Surface&) const;
+template Vec<2> Mps<2>::slope_to_faces() const;
+template Vec<3> Mps<3>::slope_to_faces() const;
+template double Mps<2>::wetness(double) const;
+template double Mps<3>::wetness(double) const;
 template void Mps<2>::set_face_load();
 template void Mps<3>::set_face_load();
 template void Mps<2>::close_covered_faces();

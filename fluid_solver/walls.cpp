@@ -50,10 +50,8 @@ Walls<dim>::Walls(const v1::Fluid& fluid, int dummy_layers, bool slip)
 template <int dim>
 bool Walls<dim>::taken(const Vec<dim>& x, bool moves) const {
   if (covers(x)) return true;
-  const double depth =
-      std::max((tank_.min - x).maxCoeff(), (x - tank_.max).template head<dim - 1>().maxCoeff());
-  const bool above = x[dim - 1] > tank_.max[dim - 1];
-  return depth > 0 && !above && (!moves || depth < thickness_);
+  const double depth = depth_in_walls(x);
+  return depth > 0 && (!moves || depth < thickness_);
 }
 
 /// Normal of the floor or side walls behind which x lies; oblique behind edges and corners.
@@ -148,6 +146,35 @@ Box<dim> Walls<dim>::domain() const {
   domain.max.array() += margin;
   domain.max[dim - 1] += tank_.max[dim - 1] - tank_.min[dim - 1];
   return domain;
+}
+
+template <int dim>
+std::vector<WallParticle<dim>> Walls<dim>::sites(std::size_t part) const {
+  const Part& of = parts_[part];
+  std::vector<WallParticle<dim>> sites;
+  for (std::size_t k = 0; k < of.place.size(); ++k)
+    if (of.kind[k] == Kind::wall)
+      sites.push_back({.id = of.first_id + static_cast<std::int32_t>(k), .place = of.place[k]});
+  return sites;
+}
+
+template <int dim>
+bool Walls<dim>::inside_other(std::size_t part, const Vec<dim>& x, double t) const {
+  if (part != 0) {
+    const Vec<dim> at = tank_motion_.moves() ? tank_motion_.origin(x, t) : x;
+    if (const double depth = depth_in_walls(at); depth > 0 && depth < thickness_) return true;
+  }
+  for (std::size_t k = 1; k < parts_.size(); ++k)
+    if (k != part && obstacles_[k - 1].contains(parts_[k].motion.origin(x, t))) return true;
+  return false;
+}
+
+/// How deep a point of the tank's frame lies in its floor or side walls [m]; negative in the tank and above
+/// it.
+template <int dim>
+double Walls<dim>::depth_in_walls(const Vec<dim>& x) const {
+  if (x[dim - 1] > tank_.max[dim - 1]) return -1;
+  return std::max((tank_.min - x).maxCoeff(), (x - tank_.max).template head<dim - 1>().maxCoeff());
 }
 
 template <int dim>

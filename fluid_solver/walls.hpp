@@ -8,6 +8,14 @@
 
 namespace cosurge::fluid {
 
+/// A particle of a wall's first layer.
+template <int dim>
+struct WallParticle {
+  std::int32_t id;
+  Vec<dim> place;  ///< at the start [m]
+};
+
+/// Its parts, which move as one each, are numbered: 0 is the tank, then come the obstacles.
 template <int dim>
 class Walls {
  public:
@@ -29,6 +37,16 @@ class Walls {
   /// Where particles may be: the tank with its walls wherever they move, and as much again above its open
   /// top.
   Box<dim> domain() const;
+
+  const Box<dim>& tank() const { return tank_; }
+  const Shape<dim>& obstacle(int number) const { return obstacles_[static_cast<std::size_t>(number)]; }
+  const Motion<dim>& motion(std::size_t part) const { return parts_[part].motion; }
+
+  /// The particles with pressure of a part, once add_to() has given them ids.
+  std::vector<WallParticle<dim>> sites(std::size_t part) const;
+
+  /// Whether x lies in floor or side walls, or in an obstacle, at time t [s]; the part itself does not count.
+  bool inside_other(std::size_t part, const Vec<dim>& x, double t) const;
 
   /// Whether the wall particle with this id is the tank's.
   bool of_tank(std::int32_t id) const { return part_of(id) == 0; }
@@ -72,6 +90,7 @@ class Walls {
 
   std::size_t part_of(std::int32_t id) const;
   bool taken(const Vec<dim>& x, bool moves) const;
+  double depth_in_walls(const Vec<dim>& x) const;
   void require_room(std::ptrdiff_t obstacle, const Vec<dim>& x, double t) const;
   Vec<dim> tank_normal(const Vec<dim>& x) const;
   Part tank_part() const;

@@ -27,21 +27,23 @@ std::int32_t root_of(std::int32_t i, std::vector<std::int32_t>& parent) {
   return i;
 }
 
-/// The largest part with water within r_e of the vertical line through x, and how high it comes there; -1:
-/// none but spray.
+/// The largest part with water within r_e of the line, and how high it comes over the foot there; -1: none
+/// but spray.
 template <int dim>
-std::pair<std::int32_t, double> part_near(const Mps<dim>& mps, const WaterParts& parts, const Vec<dim>& x,
-                                          double floor, double spacing) {
+std::pair<std::int32_t, double> part_near(const Mps<dim>& mps, const WaterParts& parts,
+                                          const GaugeLine<dim>& line, double spacing) {
   const Particles<dim>& particles = mps.particles();
   const double re = mps.neighbors().re(), fewest = fewest_supports * in_support<dim>(re, spacing);
   std::int32_t largest = -1;
-  double highest = floor;
+  double highest = 0;
   for (int i = 0; i < particles.size(); ++i) {
     const std::int32_t part = parts.part[i];
     if (part < 0 || parts.size[part] < fewest) continue;
-    if ((particles.x[i] - x).template head<dim - 1>().norm() >= re) continue;
-    if (largest < 0 || parts.size[part] > parts.size[largest]) largest = part, highest = floor;
-    if (part == largest) highest = std::max(highest, particles.x[i][dim - 1]);
+    const Vec<dim> way = particles.x[i] - line.foot;
+    const double height = way.dot(line.up);
+    if ((way - height * line.up).norm() >= re) continue;
+    if (largest < 0 || parts.size[part] > parts.size[largest]) largest = part, highest = 0;
+    if (part == largest) highest = std::max(highest, height);
   }
   return {largest, highest};
 }
@@ -77,19 +79,16 @@ WaterParts connected_water(const Mps<dim>& mps, double spacing) {
 }
 
 template <int dim>
-double level_at(const Mps<dim>& mps, const WaterParts& parts, const Vec<dim>& x, double floor,
-                double spacing) {
+double level_over(const Mps<dim>& mps, const WaterParts& parts, const GaugeLine<dim>& line, double spacing) {
   const double re = mps.neighbors().re();
   // Integral of (1 - r / r_e)^2 over the support, in particles.
   const double full = (dim == 2 ? 1.0 / 6 : 2.0 / 15) * std::numbers::pi * std::pow(re / spacing, dim);
-  const auto [part, highest] = part_near(mps, parts, x, floor, spacing);
-  if (part < 0) return floor;
+  const auto [part, highest] = part_near(mps, parts, line, spacing);
+  if (part < 0) return 0;
   const auto share = [&, part = part](double height) {
-    Vec<dim> at = x;
-    at[dim - 1] = height;
     double water = 0;
     double others = 0;
-    each_around(mps, at, [&](int j, const Vec<dim>&, double r) {
+    each_around(mps, Vec<dim>(line.foot + height * line.up), [&](int j, const Vec<dim>&, double r) {
       const double w = (1 - r / re) * (1 - r / re);
       if (mps.particles().kind[j] != Kind::fluid)
         others += w;
@@ -100,15 +99,15 @@ double level_at(const Mps<dim>& mps, const WaterParts& parts, const Vec<dim>& x,
   };
   const double step = 0.5 * spacing;
   double above = highest + re;
-  while (above > floor && share(above - step) < 0.5) above -= step;
-  if (above <= floor) return floor;
+  while (above > 0 && share(above - step) < 0.5) above -= step;
+  if (above <= 0) return 0;
   const double high = share(above);
   return above - step * (0.5 - high) / (share(above - step) - high);
 }
 
 template WaterParts connected_water(const Mps<2>&, double);
 template WaterParts connected_water(const Mps<3>&, double);
-template double level_at<2>(const Mps<2>&, const WaterParts&, const Vec<2>&, double, double);
-template double level_at<3>(const Mps<3>&, const WaterParts&, const Vec<3>&, double, double);
+template double level_over<2>(const Mps<2>&, const WaterParts&, const GaugeLine<2>&, double);
+template double level_over<3>(const Mps<3>&, const WaterParts&, const GaugeLine<3>&, double);
 
 }  // namespace cosurge::fluid

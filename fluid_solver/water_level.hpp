@@ -14,12 +14,18 @@ struct WaterParts {
 template <int dim>
 WaterParts connected_water(const Mps<dim>& mps, double spacing);
 
-/// Height of the free surface on the vertical line through x [m]: of the largest connected part of the water
-/// near the line, the highest point where that part fills half of what walls and bodies leave of the support.
-/// Drops and sheets that have come off do not count, nor does a part of fewer particles than fill two
-/// supports. Not below `floor` [m].
+/// A line through the water.
 template <int dim>
-double level_at(const Mps<dim>& mps, const WaterParts& parts, const Vec<dim>& x, double floor,
-                double spacing);
+struct GaugeLine {
+  Vec<dim> foot;  ///< where it begins [m]
+  Vec<dim> up;    ///< unit vector
+};
+
+/// Height of the free surface on the line over its foot [m]: of the largest connected part of the water near
+/// the line, the highest point where that part fills half of what walls and bodies leave of the support.
+/// Drops and sheets that have come off do not count, nor does a part of fewer particles than fill two
+/// supports. 0 where there is no water.
+template <int dim>
+double level_over(const Mps<dim>& mps, const WaterParts& parts, const GaugeLine<dim>& line, double spacing);
 
 }  // namespace cosurge::fluid

@@ -115,8 +115,13 @@ const Spoiled table[] = {
      "quantity = \"level\"\nposition = [0.4, 0.05]",
      "output.probe.1.position: must lie in fluid.tank or on a body", "position = [0.4"},
     {"ForceOffEveryBody", "quantity = \"pressure\"\nposition = [0.1, 0.05]",
-     "quantity = \"force\"\nposition = [0.2, 0.05]", "output.probe.1.position: must lie in or on a body",
+     "quantity = \"force\"\nposition = [0.2, 0.05]",
+     "output.probe.1.position: must lie in or on a body or an obstacle, or on the floor or a side wall of "
+     "fluid.tank; solid.body.0 is 0.06 m away, at (0.14, 0.05)",
      "position = [0.2"},
+    {"MomentInTheWater", "quantity = \"pressure\"\nposition = [0.1, 0.05]",
+     "quantity = \"moment\"\nposition = [0.2, 0.05]",
+     "output.probe.1.position: must lie in or on a body or an obstacle", "position = [0.2"},
     {"PressureDeepInABody", "position = [0.1, 0.05]", "position = [0.118, 0.05]",
      "output.probe.1.position: lies 0.018 m within a body: pressure is that on its surface, which is nearest "
      "at "

@@ -364,8 +364,10 @@ TEST(Walls, WaterInAnAcceleratedTankLeansAsMuchAsItMust) {
     const double t = (k + 1) * dt;
     if (t < 1.05) continue;  // one period of sloshing, 0.53 s, is averaged over
     const WaterParts parts = connected_water(mps, l0);
-    difference += level_at<2>(mps, parts, tank.place({0.01, 0}, t), 0, l0) -
-                  level_at<2>(mps, parts, tank.place({length - 0.01, 0}, t), 0, l0);
+    const auto level = [&](double x) {
+      return level_over<2>(mps, parts, {.foot = tank.place({x, 0}, t), .up = {0, 1}}, l0);
+    };
+    difference += level(0.01) - level(length - 0.01);
     ++count;
   }
   EXPECT_EQ(mps.particles().size(), mps.initial_size());

@@ -1,0 +1,27 @@
+// The water's load on a body.
+#pragma once
+
+#include <utility>
+
+#include "common/participant.hpp"
+#include "fluid_solver/load.hpp"
+
+namespace cosurge::fluid {
+
+template <int dim>
+class BodyLoad {
+ public:
+  /// @param about the point of the undeformed body about which the moment is taken; it moves with the
+  /// material there [m]
+  BodyLoad(const Interface& interface, int body, const Vec<dim>& about, double spacing);
+
+  Load<dim> read(const Surface& surface) const;
+
+ private:
+  Vec<dim> about_;
+  std::vector<Eigen::Index> point_;                      // of the body, in the interface
+  std::vector<Vec<dim>> place_;                          // of these in the undeformed body
+  std::vector<std::pair<Eigen::Index, double>> around_;  // points and shares that move `about`
+};
+
+}  // namespace cosurge::fluid

@@ -1,0 +1,56 @@
+// The probes of the water: what a case asks to be measured every window.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "common/probe_mount.hpp"
+#include "fluid_solver/load.hpp"
+#include "fluid_solver/mps.hpp"
+#include "fluid_solver/water_level.hpp"
+
+namespace cosurge::fluid {
+
+/// What a probe needs to know of the window that has ended.
+struct ProbeInput {
+  const Surface& surface;  ///< load on the bodies, and where they are
+  double end;              ///< time [s]
+};
+
+template <int dim>
+class Probes {
+ public:
+  /// @throws Error where a probe of a body's pressure has no wet face within a spacing.
+  Probes(const v1::Case& the_case, const Mps<dim>& mps, const Interface& interface);
+
+  /// Name and unit of each value.
+  const std::vector<Column>& columns() const { return columns_; }
+
+  std::vector<double> read(const ProbeInput& input);
+
+ private:
+  using Vector = Vec<dim>;
+  using ReadLoad = std::function<Load<dim>(const ProbeInput&)>;
+
+  void add(const v1::Probe& probe, const ProbeMount& mount);
+  void add_value(const std::string& name, const std::string& unit,
+                 std::function<double(const ProbeInput&)> read);
+  void add_pressure(const v1::Probe& probe, const ProbeMount& mount);
+  void add_level(const v1::Probe& probe);
+  void add_load(const v1::Probe& probe, const ProbeMount& mount);
+  ReadLoad load_on(const ProbeMount& mount, const Vector& about);
+
+  const Mps<dim>& mps_;
+  const Interface& interface_;
+  const v1::Case& case_;
+  std::vector<Column> columns_;
+  std::vector<std::function<void(const ProbeInput&, std::vector<double>&)>> readers_;
+  bool has_levels_ = false;
+  bool has_wall_loads_ = false;
+  WaterParts parts_;                 // of this window, for levels
+  std::vector<std::int32_t> place_;  // of the particles by id, in this window, for loads on walls
+};
+
+}  // namespace cosurge::fluid
