@@ -195,7 +195,8 @@ template <int dim>
 void Mps<dim>::diffuse_and_collide(double dt) {
   clock_.enter(evaluating);
   const CollisionLaw law{.distance = parameters_.collision().distance() * parameters_.spacing(),
-                         .restitution = restitution()};
+                         .restitution = restitution(),
+                         .spacing = parameters_.spacing()};
   const double nu = parameters_.kinematic_viscosity();
   const SurfaceDamping damping =
       surface_damping(reference_.n0, propagation_speed_, parameters_.spacing(), dt);

@@ -100,10 +100,10 @@ double Mps<dim>::unbiased_deviation(int i, double smooth) const {
 
 /// Rates of the scene for the source `time_scale`, eq. (6c). Water that falls and runs under gravity answers
 /// at its own wave speed: a spacing takes l0 / c. An obstacle that is driven into water at V asks for an
-/// answer while it moves by a twentieth of a spacing.
+/// answer while it moves by a fifteenth of a spacing.
 template <int dim>
 Rates Mps<dim>::rates(double dt) const {
-  constexpr double answers = 20;  // while an obstacle moves by a spacing
+  constexpr double answers = 15;  // while an obstacle moves by a spacing
   const double c = propagation_speed_ / parameters_.spacing();
   const double driven = walls_.approach() / parameters_.spacing();
   const double k = std::min(std::max(c, answers * driven), 1 / dt);

@@ -7,7 +7,7 @@
 namespace cosurge::fluid {
 namespace {
 
-constexpr CollisionLaw law{.distance = 0.85, .restitution = 0.2};
+constexpr CollisionLaw law{.distance = 0.85, .restitution = 0.2, .spacing = 1};
 
 /// Two particles, the first a fluid one at the origin.
 test::Cloud<2> pair(const Vec<2>& x, Kind kind, const Vec<2>& u0, const Vec<2>& u1) {
@@ -47,6 +47,37 @@ TEST(Collision, AWallGivesTheWholeChangeToTheWater) {
     EXPECT_NEAR(after[0] - (-0.5), -law.restitution * 1.5, 1e-15);
     EXPECT_EQ(after[1], 2);
   }
+}
+
+/// Water at the origin and a wall of five particles with the normal +x, its face at x = -`gap`.
+test::Cloud<2> beside_face(double gap, const Vec<2>& u) {
+  test::Cloud<2> cloud{.particles = {}, .neighbors = Neighbors<2>({{-9, -9}, {9, 9}}, 2.1)};
+  cloud.particles.add(Kind::fluid, {0, 0});
+  for (int k = -2; k <= 2; ++k) {
+    cloud.particles.add(Kind::wall, {-gap - 0.5, k + 0.3});
+    cloud.particles.normal.back() = {1, 0};
+  }
+  cloud.particles.u[0] = u;
+  cloud.neighbors.rebuild(cloud.particles);
+  return cloud;
+}
+
+TEST(Collision, WaterThatReachesAFaceLosesItsSpeedAcrossItOnceAndSlidesFreely) {
+  const Vec<2> after = Vec<2>(-1, 7) + change(beside_face(-0.01, {-1, 7}), 0);
+  EXPECT_NEAR(after[0], law.restitution * 1, 1e-15);
+  EXPECT_EQ(after[1], 7);
+  EXPECT_EQ(change(beside_face(0.01, {-1, 7}), 0), (Vec<2>(0, 0)));  // not there yet
+  EXPECT_EQ(change(beside_face(-0.01, {1, 7}), 0), (Vec<2>(0, 0)));  // on its way out
+}
+
+TEST(Collision, WaterOnTopOfAnEdgeIsNotHeldByTheFaceAroundIt) {
+  test::Cloud<2> cloud{.particles = {}, .neighbors = Neighbors<2>({{-9, -9}, {9, 9}}, 2.1)};
+  cloud.particles.add(Kind::fluid, {0, 0});
+  cloud.particles.add(Kind::wall, {-0.2, -1});  // behind the vertical face of an edge below the water
+  cloud.particles.normal.back() = {1, 0};
+  cloud.particles.u[0] = {-1, 0};
+  cloud.neighbors.rebuild(cloud.particles);
+  EXPECT_EQ(change(cloud, 0), (Vec<2>(0, 0)));
 }
 
 TEST(Collision, LeavesSeparatingAndDistantPairsAlone) {
