@@ -94,7 +94,8 @@ double Mps<dim>::near_smooth_deviation(int i) const {
 template <int dim>
 double Mps<dim>::unbiased_deviation(int i, double smooth) const {
   if (particles_.kind[i] != Kind::fluid) return 0;
-  if (!std::isnan(smooth)) return smooth;
+  static const double a = std::getenv("NEARA") ? std::atof(std::getenv("NEARA")) : 0.17;
+  if (!std::isnan(smooth)) return open_surface() ? (smooth - a * near_smooth_deviation(i)) / (1 - a) : smooth;
   return open_surface() ? std::max(0.0, near_smooth_deviation(i)) : near_deviation(i);
 }
 
