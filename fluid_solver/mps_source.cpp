@@ -87,16 +87,19 @@ double Mps<dim>::near_smooth_deviation(int i) const {
 }
 
 /// Disorder raises the number density of the small radius by 4 to 6 %, and water that is kept to it swells by
-/// as much; the smooth density is off by less than 0.2 %. The small radius serves beside the free surface,
-/// where the smooth density of the large one is not known; beside an open surface a lack of neighbours is not
-/// thin water. Only water counts: a wall cannot move to mend its own deviation, and would keep a pressure for
-/// it.
+/// as much; the smooth density is off by less than 0.2 %, and by eq. (2c) by a third of that. The small
+/// radius serves beside the free surface, where the smooth density of the large one is not known; beside an
+/// open surface a lack of neighbours is not thin water. Only water counts: a wall cannot move to mend its own
+/// deviation, and would keep a pressure for it.
 template <int dim>
 double Mps<dim>::unbiased_deviation(int i, double smooth) const {
   if (particles_.kind[i] != Kind::fluid) return 0;
-  static const double a = std::getenv("NEARA") ? std::atof(std::getenv("NEARA")) : 0.17;
-  if (!std::isnan(smooth)) return open_surface() ? (smooth - a * near_smooth_deviation(i)) / (1 - a) : smooth;
-  return open_surface() ? std::max(0.0, near_smooth_deviation(i)) : near_deviation(i);
+  if (!open_surface()) return std::isnan(smooth) ? near_deviation(i) : smooth;
+  const double near = near_smooth_deviation(i);
+  if (std::isnan(smooth)) return std::max(0.0, near);
+  constexpr double bias =
+      dim == 2 ? 0.17 : 0.07;  // of the large radius by disorder, over that of the small one
+  return (smooth - bias * near) / (1 - bias);
 }
 
 /// Rates of the scene for the source `time_scale`, eq. (6c). Water that falls and runs under gravity answers
