@@ -11,6 +11,7 @@
 #include "coupler/check_command.hpp"
 #include "coupler/csv_command.hpp"
 #include "coupler/map_command.hpp"
+#include "coupler/report/report_command.hpp"
 #include "coupler/run_command.hpp"
 #include "coupler/selftest_command.hpp"
 
@@ -47,6 +48,22 @@ void add_solvers(CLI::App& command, cosurge::RunOptions& options) {
   command.add_option("--patience", options.patience, "Longest wait for a solver's answer [s]")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
+}
+
+CLI::App* add_report(CLI::App& app, cosurge::ReportOptions& report) {
+  CLI::App* command = app.add_subcommand(
+      "report", "Write one page for a browser: the scene plays, with histories and tables");
+  command->add_option("results", report.results, "Folders of results; several lie on top of each other")
+      ->required();
+  command->add_option("--out", report.out, "The page (default: report.html in the first folder)");
+  command->add_option("--case", report.case_folder,
+                      "Folder with reference/*.csv (default: that of the case, which the results name)");
+  command
+      ->add_option("--size", report.megabytes,
+                   "Size of the page, about [MB]: it shows fewer frames or particles")
+      ->check(CLI::Range(0.5, 1000.0))
+      ->capture_default_str();
+  return command;
 }
 
 /// Letters to insert, leave out, change or swap with the next to make one word of the other (Damerau 1964).
@@ -154,6 +171,9 @@ int main(int argc, char** argv) {
       ->take_all();
   csv_app->add_option("--out", csv.out, "The table (default: standard output)");
 
+  cosurge::ReportOptions report;
+  CLI::App* report_app = add_report(app, report);
+
   if (argc > 1 && argv[1][0] != '-') {
     if (const std::string wrong = unknown_command(app, argv[1]); !wrong.empty()) {
       std::cerr << wrong << '\n';
@@ -177,6 +197,10 @@ int main(int argc, char** argv) {
     if (*map_app) return cosurge::map_command(map);
     if (*csv_app) {
       cosurge::csv_command(csv);
+      return 0;
+    }
+    if (*report_app) {
+      cosurge::report_command(report);
       return 0;
     }
     if (*resume_app) return cosurge::resume_command(resume);

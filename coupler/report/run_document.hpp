@@ -1,0 +1,43 @@
+// What the page of a report gets to know of a run.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "coupler/report/scene.hpp"
+
+namespace cosurge {
+
+struct DocumentOptions {
+  std::filesystem::path case_folder;  ///< with reference curves; empty: the one that the results name
+  double megabytes = 4;               ///< that frames of one run may take, about
+};
+
+/// A run as the page has it, read anew at each call: also of a run that goes on.
+class RunDocument {
+ public:
+  /// @throws Error where there are no results, or they cannot be read.
+  RunDocument(const std::filesystem::path& results, const DocumentOptions& options);
+
+  /// {"name", "title", "dimension", "status", "verdict", "facts", "case", "tables", "extremes", "impulses",
+  /// "balance", "phases", "references", "scene"}; "scene" has the frames from the number `first_frame` of
+  /// those that are shown on. Keys whose value is a table say its columns where it is made
+  /// (coupler/report/run_numbers.hpp, case_table.hpp, outlines.hpp, scene.hpp).
+  nlohmann::ordered_json read(std::size_t first_frame = 0);
+
+  /// How long the run is by now: its windows, and its frames.
+  std::pair<std::size_t, std::size_t> length() const;
+
+ private:
+  nlohmann::ordered_json scene(const Results& results, const v1::Case& the_case, std::size_t first_frame);
+
+  std::filesystem::path place_;
+  DocumentOptions options_;
+  std::optional<SceneChoice> choice_;  // made at the first frame: the page keeps its particles
+};
+
+/// {"made", "cosurge", "mode", "runs"}: all that a page gets.
+nlohmann::ordered_json page_document(const std::string& mode, nlohmann::ordered_json runs);
+
+}  // namespace cosurge
