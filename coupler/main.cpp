@@ -12,6 +12,7 @@
 #include "coupler/csv_command.hpp"
 #include "coupler/map_command.hpp"
 #include "coupler/report/report_command.hpp"
+#include "coupler/report/watch_command.hpp"
 #include "coupler/run_command.hpp"
 #include "coupler/selftest_command.hpp"
 
@@ -60,6 +61,21 @@ CLI::App* add_report(CLI::App& app, cosurge::ReportOptions& report) {
                       "Folder with reference/*.csv (default: that of the case, which the results name)");
   command
       ->add_option("--size", report.megabytes,
+                   "Size of the page, about [MB]: it shows fewer frames or particles")
+      ->check(CLI::Range(0.5, 1000.0))
+      ->capture_default_str();
+  return command;
+}
+
+CLI::App* add_watch(CLI::App& app, cosurge::WatchOptions& watch) {
+  CLI::App* command = app.add_subcommand(
+      "watch", "Show a run in a browser of this machine while it goes on, with the time left");
+  command->add_option("results", watch.results, "Folders of results; several lie on top of each other")
+      ->required();
+  command->add_option("--port", watch.port, "Port on 127.0.0.1 (default: any that is free)")
+      ->check(CLI::Range(1, 65535));
+  command
+      ->add_option("--size", watch.megabytes,
                    "Size of the page, about [MB]: it shows fewer frames or particles")
       ->check(CLI::Range(0.5, 1000.0))
       ->capture_default_str();
@@ -134,6 +150,11 @@ int main(int argc, char** argv) {
   CLI::App* check_app = app.add_subcommand(
       "check", "Validate a case and show what would run: particles, windows, memory, time");
   add_case(*check_app, check_path, check_overrides);
+  std::string picture;
+  check_app->add_option(
+      "--picture", picture,
+      "A page for a browser that shows the case: FILE.html, with tank, water, bodies, clamps, "
+      "probes and the paths of walls");
 
   CLI::App* selftest_app = app.add_subcommand(
       "selftest", "Water on a sprung piston against its exact frequency and limit of stability");
@@ -173,6 +194,8 @@ int main(int argc, char** argv) {
 
   cosurge::ReportOptions report;
   CLI::App* report_app = add_report(app, report);
+  cosurge::WatchOptions watch;
+  CLI::App* watch_app = add_watch(app, watch);
 
   if (argc > 1 && argv[1][0] != '-') {
     if (const std::string wrong = unknown_command(app, argv[1]); !wrong.empty()) {
@@ -199,12 +222,13 @@ int main(int argc, char** argv) {
       cosurge::csv_command(csv);
       return 0;
     }
+    if (*watch_app) return cosurge::watch_command(watch);
     if (*report_app) {
       cosurge::report_command(report);
       return 0;
     }
     if (*resume_app) return cosurge::resume_command(resume);
-    cosurge::check_command(check_path, check_overrides);
+    cosurge::check_command(check_path, check_overrides, picture);
     return 0;
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';

@@ -117,6 +117,7 @@ Json RunDocument::read(std::size_t first_frame) {
           {"balance", balance(run)},
           {"phases", phases(run)},
           {"references", reference_curves(case_folder, the_case)},
+          {"first_frame", first_frame},
           {"scene", scene(results, the_case, first_frame)}};
 }
 

@@ -16,6 +16,8 @@ struct RunRecord {
   nlohmann::json summary;         ///< empty object where there is none (yet), or an older one
 
   explicit RunRecord(const Results& results);
+  RunRecord(std::vector<Series> all, nlohmann::json its_summary)
+      : histories(std::move(all)), summary(std::move(its_summary)) {}
 
   std::size_t rows() const { return histories.front().values.size(); }
   const std::vector<double>& time() const { return histories.front().values; }

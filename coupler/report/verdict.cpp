@@ -54,7 +54,7 @@ void remark_on_water(const RunRecord& run, const v1::Case& the_case, Remarks& re
   if (lost > 0) {
     const double share = lost / (lost + left);
     const std::string text =
-        fmt::format("{:.0f} particles ({:.2g} % of the water) have left the tank", lost, 100 * share);
+        fmt::format("{:.2g} % of the water has left the tank (particles: {:.0f})", 100 * share, lost);
     share > the_case.fluid().most_lost() ? remarks.bad(text) : remarks.doubt(text);
   }
   if (const double inside = run.most("fluid/inside_bodies"); inside > 0)

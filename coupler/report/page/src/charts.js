@@ -155,7 +155,7 @@ export class Chart {
     this.time = time;
     if (!this.visible || !this.plot || this.frequency) return;
     this.moveLine();
-    if (withValues) this.plot.setCursor({left: this.plot.valToPos(time, "x"), top: 10}, false);
+    if (withValues && !this.plotRoot.matches(":hover")) this.plot.setCursor({left: this.plot.valToPos(time, "x"), top: 10}, false);
   }
 
   moveLine() {

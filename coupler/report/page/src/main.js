@@ -47,10 +47,11 @@ class Page {
     this.tables = new Tables(find("#tables"), runs);
     find("#thinning").textContent = thinning(runs);
     this.layOutCharts();
-    if (this.scene && data.mode === "check") this.scene.settings.labels = true;
     if (data.mode === "check") {
-      for (const kind of ["water", "body", "extreme", "path", "stairs"]) this.scene?.settings.kinds.add(kind);
       document.body.classList.add("check");
+      const settings = this.scene?.settings ?? {kinds: new Set()};
+      Object.assign(settings, {labels: true, fluid: "none", solid: "none"});
+      for (const kind of ["water", "body", "extreme", "path", "stairs"]) settings.kinds.add(kind);
     }
   }
 
@@ -78,10 +79,11 @@ class Page {
       this.scene.time = time;
       this.scene.draw();
     }
-    const now = performance.now();
-    const withValues = this.player.playing && now - (this.told ?? 0) > 150;
-    if (withValues) this.told = now;
-    for (const chart of this.charts) chart.show(time, withValues);
+    for (const chart of this.charts) chart.show(time, false);
+    this.values ??= setTimeout(() => {  // the numbers of the legends follow a few times a second
+      this.values = undefined;
+      for (const chart of this.charts) chart.show(this.player.time, true);
+    }, 150);
   }
 
   async unpackFrames() {
@@ -93,10 +95,7 @@ class Page {
       if (first && this.scene) this.refresh();
       first = false;
     }
-    if (this.scene) {
-      this.scene.complete = this.data.mode === "report";
-      this.refresh();
-    }
+    if (this.scene) this.refresh();
   }
 
   /** After more frames: the box of the scene and its controls. */

@@ -17,35 +17,39 @@ uniform vec3 colors[9];
 uniform vec3 plain;
 uniform float useColors;
 out vec3 color;
+out float pixels;
 float value(float byte, vec2 range) { return range.x + (range.y - range.x) * byte * byte / 65025.0; }
 void main() {
   float s = kindA == kindB ? share : 0.0;
   vec3 now = mix(gridA.xyz + gridA.w * a, gridB.xyz + gridB.w * b, s);
   vec3 rest = gridStart.xyz + gridStart.w * start;
   gl_Position = matrix * vec4(rest + exaggeration * (now - rest), 1.0);
-  gl_PointSize = max(1.0, size / gl_Position.w);
+  gl_PointSize = max(1.5, size / gl_Position.w);
   float v = mix(value(valueA, rangeA), value(valueB, rangeB), s);
   float place = clamp((v - scale.x) / max(scale.y - scale.x, 1e-30), 0.0, 1.0) * 8.0;
   int k = int(min(place, 7.0));
   color = useColors > 0.5 ? mix(colors[k], colors[k + 1], place - float(k)) : plain;
   if (kindA > 0.5) {
     color = kindA < 1.5 ? vec3(0.62, 0.65, 0.70) : vec3(0.76, 0.78, 0.81);
-    gl_PointSize = max(1.0, gl_PointSize * 0.92);
+    gl_PointSize = max(1.5, gl_PointSize * 0.92);
   }
+  pixels = gl_PointSize;
   if (kindA > 2.5 || (kindA > 0.5 && walls < 0.5)) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
 }`;
 
 const fragment = `#version 300 es
 precision highp float;
 in vec3 color;
+in float pixels;
 uniform float alpha, shaded, square;
 out vec4 result;
 void main() {
   vec2 p = 2.0 * gl_PointCoord - 1.0;
   float r = dot(p, p);
-  if (square < 0.5 && r > 1.0) discard;
+  bool whole = square > 0.5 || pixels < 4.0;  // a disc of so few pixels is a square
+  if (!whole && r > 1.0) discard;
   float light = shaded > 0.5 ? 0.55 + 0.45 * sqrt(max(0.0, 1.0 - r)) * (0.8 - 0.2 * p.y) / 0.9 : 1.0;
-  float edge = square > 0.5 || shaded > 0.5 ? 1.0 : 1.0 - smoothstep(0.75, 1.0, r);
+  float edge = whole || shaded > 0.5 ? 1.0 : 1.0 - smoothstep(0.75, 1.0, r);
   result = vec4(color * min(light, 1.0), alpha * edge);
 }`;
 

@@ -9,32 +9,39 @@ import {valueOf} from "./unpack.js";
 export const titles = {pressure: "water: pressure", speed: "speed", von_mises: "bodies: von Mises stress"};
 const rgb = (hex) => [1, 3, 5].map((k) => parseInt(hex.slice(k, k + 2), 16) / 255);
 
-/** Box around what the first frames show, and lines. */
+/** Least and largest of all but a few of many values. */
+function most(values, share) {
+  const sorted = Float32Array.from(values).sort();
+  const at = (q) => sorted[Math.round(q * (sorted.length - 1))];
+  return [at(share), at(1 - share)];
+}
+
+/** Coordinates along an axis of particles that are not walls, of all frames: some of them. */
+function sampled(frames, axis) {
+  const values = [], there = frames.filter(Boolean);
+  for (const {chunk, position, kind} of there) {
+    const step = 1 + Math.floor(chunk.particles * there.length / 200000);
+    for (let k = 0; k < chunk.particles; k += step)
+      if (!kind?.[k]) values.push(chunk.origin[axis] + chunk.step * position[k * chunk.components + axis]);
+  }
+  return values;
+}
+
+/** Box around bodies, all water but a few drops, and what is drawn of the case; of a tank in two dimensions its floor and sides. */
 function boxOf(runs) {
   const d = runs[0].dimension, min = Array(d).fill(Infinity), max = Array(d).fill(-Infinity);
-  const add = (x) => x.forEach((v, a) => { min[a] = Math.min(min[a], v); max[a] = Math.max(max[a], v); });
+  const add = (axis, low, high) => { min[axis] = Math.min(min[axis], low); max[axis] = Math.max(max[axis], high); };
   for (const run of runs) {
     for (const part of run.scene?.outlines ?? [])
-      if (!["path", "tank"].includes(part.kind) || d === 3) part.lines.forEach((line) => line.forEach(add));
-    for (const frames of Object.values(run.members))
-      for (const frame of frames) {
-        if (!frame) continue;
-        const {origin, step, components: c, particles: n} = frame.chunk;
-        for (let k = 0; k < n; ++k) {
-          if (frame.kind && (frame.kind[k] > 0)) continue;
-          for (let a = 0; a < c; ++a) {
-            const v = origin[a] + step * frame.position[k * c + a];
-            if (v < min[a]) min[a] = v;
-            if (v > max[a]) max[a] = v;
-          }
-        }
+      for (const line of part.lines) for (const x of line)
+        x.forEach((v, axis) => { if (part.kind !== "tank" || axis < d - 1) add(axis, v, v); else add(axis, v, -Infinity); });
+    for (const [member, frames] of Object.entries(run.members))
+      for (let axis = 0; axis < d; ++axis) {
+        const values = sampled(frames, axis);
+        if (values.length) add(axis, ...most(values, member === "solid" ? 0 : 0.0005));
       }
-    if (d === 2) {  // floor and side walls, not all of their height
-      const tank = run.scene?.outlines?.find((part) => part.kind === "tank");
-      if (tank) for (const x of tank.lines[0]) { min[0] = Math.min(min[0], x[0]); max[0] = Math.max(max[0], x[0]); min[1] = Math.min(min[1], x[1]); }
-    }
   }
-  if (!Number.isFinite(min[0])) return {min: Array(d).fill(0), max: Array(d).fill(1)};
+  if (!min.every(Number.isFinite) || !max.every(Number.isFinite)) return {min: Array(d).fill(0), max: Array(d).fill(1)};
   const margin = 0.03 * Math.max(...max.map((v, a) => v - min[a]));
   return {min: min.map((v) => v - (d === 2 ? margin : 0)), max: max.map((v) => v + (d === 2 ? margin : 0))};
 }
@@ -46,10 +53,11 @@ export class Scene {
     this.canvas = root.querySelector("canvas.particles");
     this.over = root.querySelector("canvas.over");
     this.tip = root.querySelector(".tip");
-    this.gl = this.canvas.getContext("webgl2", {antialias: true, alpha: false});
+    this.gl = this.canvas.getContext("webgl2", {antialias: false, alpha: false});
     if (!this.gl) throw new Error("this browser has no WebGL 2: the scene cannot be drawn; histories and tables are below");
     this.program = new ParticleProgram(this.gl);
     this.drawn = new Map();
+    this.tops = new Map();
     this.time = 0;
     this.settings = {fluid: "pressure", solid: "von_mises", walls: true, labels: false, exaggeration: 1, top: {},
                      kinds: new Set(["probe", "tank", "obstacle", "clamp", "support"]), hidden: new Set()};
@@ -72,6 +80,7 @@ export class Scene {
       canvas.height = Math.round(h * ratio);
     }
     this.ratio = ratio;
+    delete this.over.dataset.drawn;
     this.camera.resize(w, h, this.dimension === 2 ? {left: 58, right: 14, top: 14, bottom: 48} : {left: 0, right: 0, top: 0, bottom: 0});
   }
 
@@ -83,6 +92,8 @@ export class Scene {
   topOf(member) {
     const name = this.settings[member], key = `${member} ${name}`;
     if (this.settings.top[key] > 0) return this.settings.top[key];
+    const frames = this.runs.map((run) => run.members[member]?.length ?? 0).join();
+    if (this.tops.get(key)?.frames === frames) return this.tops.get(key).top;
     const values = [];
     for (const run of this.runs)
       for (const frame of run.members[member] ?? []) {
@@ -96,7 +107,7 @@ export class Scene {
       }
     values.sort((a, b) => a - b);
     const top = values[Math.floor(0.99 * (values.length - 1))] || 1;
-    if (this.complete) this.settings.top[key] = top;
+    this.tops.set(key, {frames, top});
     return top;
   }
 
@@ -118,7 +129,7 @@ export class Scene {
     this.particles(run, member).draw(this.camera, run.around(this.time), {
       quantity, plain, scale: [0, this.topOf(member)], alpha: first ? 1 : 0.5,
       colors: member === "solid" && settings.solid === "von_mises" ? scales.stress : settings[member] === "speed" ? scales.speed : scales.viridis,
-      size: (member === "solid" ? 1.12 : 1.2 * thinned) * spacing * this.camera.pixelsAMetre() * this.ratio * (first ? 1 : 0.7),
+      size: (member === "solid" ? 1.12 : 1.3 * thinned) * spacing * this.camera.pixelsAMetre() * this.ratio * (first ? 1 : 0.7),
       square: member === "solid" && this.dimension === 2, shaded: this.dimension === 3, walls: settings.walls && first,
       exaggeration: member === "solid" ? settings.exaggeration : 1});
   }
@@ -135,11 +146,21 @@ export class Scene {
       if (this.settings.hidden.has(k)) return;
       for (const member of ["fluid", "solid"]) this.drawMember(run, k, member);
     });
+    this.drawOver();
+  }
+
+  /** Lines, axes and scales: only where they are others than those that are drawn. */
+  drawOver() {
+    const {camera, settings} = this, run = this.runs[Math.max(0, this.colored)];
+    const parts = run.scene?.outlines ?? [], frame = parts.some((part) => part.poses) ? run.around(this.time).k : 0;
+    const key = JSON.stringify([camera.matrix(), camera.width, camera.height, this.ratio, frame, this.colored, settings.fluid, settings.solid,
+                                this.topOf("fluid"), this.topOf("solid"), settings.labels, [...settings.kinds]]);
+    if (key === this.over.dataset.drawn) return;
+    this.over.dataset.drawn = key;
     const g = this.over.getContext("2d");
     g.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
     g.clearRect(0, 0, camera.width, camera.height);
-    const run = this.runs[Math.max(0, this.colored)];
-    drawParts(g, camera, run.scene?.outlines ?? [], run.around(this.time).k, this.settings.kinds, this.settings.labels);
+    drawParts(g, camera, parts, frame, settings.kinds, settings.labels);
     drawAxes(g, camera, this.dimension);
     this.drawScales(g, run);
     if (this.runs.length > 1) drawRunNames(g, this.dimension === 2 ? 70 : 14, 20, this.runs);

@@ -12,7 +12,7 @@ const nameOf = (text) => text.replace("/", ": ").replaceAll("_", " ");
 function table(head, rows) {
   return element("table", {}, element("thead", {}, element("tr", {}, ...head.map((text) => element("th", {textContent: text})))),
                  element("tbody", {}, ...rows.map((row) => element("tr", {className: row.strong ? "strong" : ""},
-                   ...row.map((cell, k) => element(k ? "td" : "th", {textContent: cell, className: k && /^[-–\d.]/.test(cell) ? "number" : ""}))))));
+                   ...row.map((cell, k) => element(k ? "td" : "th", {textContent: cell, className: k && /^(–|-?[\d.]+(e-?\d+)?( %)?)$/.test(cell) ? "number" : ""}))))));
 }
 
 /** A number in the readable unit of its row. */
@@ -22,13 +22,19 @@ function scaled(values, unit) {
   return {cells: values.map((v) => v === null || v === undefined ? "–" : digits(v * shown.factor)), unit: shown.unit};
 }
 
+/** Histories that stay as they are, mostly counts of zero, have no peak worth a line. */
 function peaks(run) {
-  const rows = run.document.extremes.map((e) => {
-    const {cells, unit} = scaled([e.peak, e.min, e.max, e.last], e.unit);
+  const rows = run.document.extremes.filter((e) => e.min !== e.max).map((e) => {
+    const {cells, unit} = scaled([e.min, e.max, e.last], e.unit);
     const when = (t) => t === null ? "–" : digits(t);
-    return [nameOf(e.name), cells[0], when(e.peak_time), cells[1], when(e.min_time), cells[2], when(e.max_time), cells[3], unit];
+    const row = [unit ? `${nameOf(e.name)} [${unit}]` : nameOf(e.name), cells[0], when(e.min_time), cells[1], when(e.max_time), cells[2]];
+    row.peak = e.peak === e.max ? 3 : 1;
+    return row;
   });
-  return table(["history", "peak", "at [s]", "least", "at [s]", "largest", "at [s]", "last", "unit"], rows);
+  const made = table(["history", "least", "at [s]", "largest", "at [s]", "last"], rows);
+  made.querySelectorAll("tbody tr").forEach((tr, k) => tr.children[rows[k].peak].classList.add("peak"));
+  return element("div", {}, made, element("p", {className: "hint", textContent:
+    "Bold: the value farthest from zero. Histories that never change are left out."}));
 }
 
 function impulses(run) {
