@@ -77,9 +77,9 @@ export class Chart {
   size() { return {width: Math.max(200, this.plotRoot.clientWidth), height: 250}; }
 
   data(curves) {
-    const log = this.log, value = (curve, k) => {
+    const log = this.log || this.frequency, value = (curve, k) => {
       const v = curve.shown[k] * this.factor;
-      return !Number.isFinite(v) ? null : log ? (Math.abs(v) > 0 ? Math.abs(v) : null) : v;
+      return !Number.isFinite(v) ? null : log ? (Math.abs(v) > this.floor ? Math.abs(v) : null) : v;
     };
     return joined(curves, "axis", value);
   }
@@ -106,6 +106,7 @@ export class Chart {
     for (const c of curves) if (!c.reference) for (const v of c.shown) if (Math.abs(v) > largest) largest = Math.abs(v);
     const {unit, factor} = readable(this.group.unit, largest);
     this.factor = factor;
+    this.floor = 1e-9 * largest * factor;  // of logarithms: below it is rounding
     const data = this.data(curves);
     const bracket = (name, u) => u ? `${name} [${u}]` : name;
     const log = this.log || this.frequency;

@@ -4,12 +4,16 @@ const words = (name) => name.replace(/^(fluid|solid|coupling)\//, "").replaceAll
 
 /** [{title, unit, columns: [name], labels: [text]}] of the histories that any of the runs has. */
 export function groupsOf(runs) {
-  const units = new Map();
-  for (const run of runs) for (const [name, {unit}] of run.histories) units.set(name, unit);
+  const units = new Map(), moving = new Set();
+  for (const run of runs)
+    for (const [name, {unit, values}] of run.histories) {
+      units.set(name, unit);
+      if (run.document.status.state === "unfinished" || values.some((v) => v !== 0)) moving.add(name);
+    }
   const left = new Set(units.keys()), groups = [];
-  const group = (title, names, labels) => {
+  const group = (title, names, labels) => {  // those that are zero all the time are among the others
     const found = names.filter((name) => left.has(name));
-    if (!found.length) return;
+    if (!found.some((name) => moving.has(name))) return;
     found.forEach((name) => left.delete(name));
     groups.push({title, unit: units.get(found[0]), columns: found, labels: found.map((name) => labels?.[names.indexOf(name)] ?? words(name))});
   };
