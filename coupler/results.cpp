@@ -45,7 +45,7 @@ Results::Results(const fs::path& place) : path_(file_at(place)) {
   H5::Exception::dontPrint();
   H5::FileAccPropList access;
   H5Pset_file_locking(access.getId(), false, true);  // the run may go on
-  attempt("cannot be read as results", [&] {
+  attempt("cannot be read as results: it is no HDF5 file, or damaged", [&] {
     results_ = H5::H5File(path_.string(), H5F_ACC_RDONLY, H5::FileCreatPropList::DEFAULT, access);
     int format = 0;
     if (results_.attrExists("format"))

@@ -15,6 +15,11 @@ constexpr double bytes_a_quantity = 1.1;
 constexpr int water = 0, wall = 1, dummy = 2;     // kinds of the frames
 constexpr double fraction_of_spacing = 1.0 / 64;  // positions of water need not be finer
 
+/// Kinds of the fluid's particles at the start; a solver of one's own may have water only, and not say so.
+std::vector<float> kinds_of(const FrameSource& fluid) {
+  return fluid.has("kind") ? fluid.read("kind", 0) : std::vector<float>(fluid.particles(), water);
+}
+
 bool in_tank(const v1::Box& tank, const float* x, int dimension) {
   for (int axis = 0; axis < dimension; ++axis)
     if (x[axis] < tank.min(axis) || x[axis] > tank.max(axis)) return false;
@@ -34,7 +39,7 @@ Cast fluid_cast(const v1::Case& the_case, const FrameSource& fluid, std::size_t 
             .particles = {},
             .finest = fraction_of_spacing * the_case.fluid().spacing(),
             .quantities = quantities_of(fluid)};
-  const std::vector<float> kind = fluid.read("kind", 0), position = fluid.read("position", 0);
+  const std::vector<float> kind = kinds_of(fluid), position = fluid.read("position", 0);
   const int dimension = the_case.dimension();
   std::size_t seen = 0;
   for (std::size_t k = 0; k < kind.size(); ++k) {
@@ -49,7 +54,7 @@ Cast fluid_cast(const v1::Case& the_case, const FrameSource& fluid, std::size_t 
 }
 
 std::size_t water_in(const FrameSource& fluid) {
-  const std::vector<float> kind = fluid.read("kind", 0);
+  const std::vector<float> kind = kinds_of(fluid);
   return static_cast<std::size_t>(std::count(kind.begin(), kind.end(), static_cast<float>(water)));
 }
 

@@ -11,20 +11,20 @@ export function groupsOf(runs) {
       if (run.document.status.state === "unfinished" || values.some((v) => v !== 0)) moving.add(name);
     }
   const left = new Set(units.keys()), groups = [];
-  const group = (title, names, labels) => {  // those that are zero all the time are among the others
+  const group = (title, names, labels, always) => {  // those that are zero all the time are among the others, but for probes
     const found = names.filter((name) => left.has(name));
-    if (!found.some((name) => moving.has(name))) return;
+    if (!found.some((name) => always || moving.has(name))) return;
     found.forEach((name) => left.delete(name));
     groups.push({title, unit: units.get(found[0]), columns: found, labels: found.map((name) => labels?.[names.indexOf(name)] ?? words(name))});
   };
   const probes = new Map(runs.flatMap((run) => run.probes().map((probe) => [probe.name, probe])));
   for (const {name, quantity, position} of probes.values()) {
     const at = `${name}: ${quantity} at (${position}) m`;
-    if (quantity === "pressure") group(at, [`fluid/${name}`]);
-    if (quantity === "displacement") group(at, ["x", "y", "z"].map((a) => `solid/${name}_${a}`), ["x", "y", "z"]);
-    if (quantity === "force") group(at, ["x", "y", "z"].map((a) => `fluid/${name}_${a}`), ["x", "y", "z"]);
+    if (quantity === "pressure") group(at, [`fluid/${name}`], null, true);
+    if (quantity === "displacement") group(at, ["x", "y", "z"].map((a) => `solid/${name}_${a}`), ["x", "y", "z"], true);
+    if (quantity === "force") group(at, ["x", "y", "z"].map((a) => `fluid/${name}_${a}`), ["x", "y", "z"], true);
   }
-  group("levels of the free surface", [...probes.values()].filter((p) => p.quantity === "level").map((p) => `fluid/${p.name}`));
+  group("levels of the free surface", [...probes.values()].filter((p) => p.quantity === "level").map((p) => `fluid/${p.name}`), null, true);
   group("load of the water on the structure", ["x", "y", "z"].map((a) => `coupling/force_${a}`), ["x", "y", "z"]);
   group("load on rigid bodies", ["x", "y", "z"].map((a) => `solid/load_${a}`), ["x", "y", "z"]);
   group("energies of the structure, and work of the water on it",
