@@ -10,7 +10,7 @@
 namespace cosurge {
 namespace {
 
-constexpr int level = 9;
+constexpr int level = 6;  // 9 takes three times as long for 1 % less
 
 template <typename Value>
 void planes(std::vector<std::uint8_t>& bytes, std::span<const Value> values) {

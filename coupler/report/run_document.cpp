@@ -7,6 +7,7 @@
 #include <ctime>
 
 #include "common/body_sites.hpp"
+#include "common/error.hpp"
 #include "common/version.hpp"
 #include "coupler/provenance.hpp"
 #include "coupler/report/case_table.hpp"
@@ -70,9 +71,12 @@ RunDocument::RunDocument(const fs::path& results, const DocumentOptions& options
   Results{place_};
 }
 
-std::pair<std::size_t, std::size_t> RunDocument::length() const {
+bool RunDocument::has_news(std::size_t frames, std::size_t windows, const std::string& state) const {
   const Results results(place_);
-  return {results.history("time").values.size(), results.frame_times().size()};
+  const std::size_t every = choice_ ? choice_->every_frame : 1;
+  const std::size_t shown = (results.frame_times().size() + every - 1) / every;
+  const std::size_t rows = results.history("time").values.size();
+  return shown != frames || rows != windows || state_of(summary_of(results, rows)) != state;
 }
 
 Json RunDocument::scene(const Results& results, const v1::Case& the_case, std::size_t first_frame) {
@@ -122,6 +126,11 @@ Json RunDocument::read(std::size_t first_frame) {
 }
 
 Json page_document(const std::string& mode, Json runs) {
+  for (const Json& run : runs)
+    require(run["dimension"] == runs[0]["dimension"],
+            "{} has {} dimensions, {} has {}: they cannot lie on top of each other; make a page of each",
+            runs[0]["name"].get<std::string>(), runs[0]["dimension"].get<int>(),
+            run["name"].get<std::string>(), run["dimension"].get<int>());
   return {{"made", fmt::format("{:%Y-%m-%d %H:%M UTC}", fmt::gmtime(std::time(nullptr)))},
           {"cosurge", std::string(version)},
           {"mode", mode},

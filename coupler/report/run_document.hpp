@@ -26,8 +26,9 @@ class RunDocument {
   /// (coupler/report/run_numbers.hpp, case_table.hpp, outlines.hpp, scene.hpp).
   nlohmann::ordered_json read(std::size_t first_frame = 0);
 
-  /// How long the run is by now: its windows, and its frames.
-  std::pair<std::size_t, std::size_t> length() const;
+  /// Whether there is more, or another end, than a page knows that has `frames` and `windows` and the state
+  /// (status() in run_numbers.hpp). Reads little.
+  bool has_news(std::size_t frames, std::size_t windows, const std::string& state) const;
 
  private:
   nlohmann::ordered_json scene(const Results& results, const v1::Case& the_case, std::size_t first_frame);
@@ -38,6 +39,7 @@ class RunDocument {
 };
 
 /// {"made", "cosurge", "mode", "runs"}: all that a page gets.
+/// @throws Error where the runs are not all of two or all of three dimensions
 nlohmann::ordered_json page_document(const std::string& mode, nlohmann::ordered_json runs);
 
 }  // namespace cosurge

@@ -41,18 +41,24 @@ Json entry(const std::string& name, const std::string& unit, double first, doubl
 
 }  // namespace
 
-RunRecord::RunRecord(const Results& results) : summary(nlohmann::json::object()) {
+RunRecord::RunRecord(const Results& results) {
   std::size_t rows = std::numeric_limits<std::size_t>::max();
   for (const std::string& name : results.histories()) {
     histories.push_back(results.history(name));
     rows = std::min(rows, histories.back().values.size());
   }
   for (Series& series : histories) series.values.resize(rows);
+  summary = summary_of(results, rows);
+}
+
+nlohmann::json summary_of(const Results& results, std::size_t windows) {
   std::ifstream file(results.folder() / "summary.json");
   const auto found = nlohmann::json::parse(file, nullptr, false);
-  // That of a run which has been resumed since tells of an earlier end.
-  if (found.is_object() && found.value("windows", std::size_t{0}) == rows) summary = found;
+  if (found.is_object() && found.value("windows", std::size_t{0}) == windows) return found;
+  return nlohmann::json::object();
 }
+
+std::string state_of(const nlohmann::json& summary) { return summary.value("status", "unfinished"); }
 
 const Series* RunRecord::find(const std::string& name) const {
   const auto found = std::find_if(histories.begin(), histories.end(),
@@ -150,7 +156,7 @@ Json phases(const RunRecord& run) {
 }
 
 Json status(const RunRecord& run, const v1::Case& the_case) {
-  return {{"state", run.summary.value("status", "unfinished")},
+  return {{"state", state_of(run.summary)},
           {"reason", run.summary.value("reason", "")},
           {"time", run.rows() > 0 ? run.time().back() : 0.0},
           {"end", the_case.time().end()},

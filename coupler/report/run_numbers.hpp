@@ -26,6 +26,12 @@ struct RunRecord {
   double most(const std::string& name) const;  ///< largest; NaN where there is none
 };
 
+/// The summary.json of a run of so many windows; empty where there is none, or one of an earlier end.
+nlohmann::json summary_of(const Results& results, std::size_t windows);
+
+/// "finished", "interrupted" or "failed"; "unfinished" where there is no summary.
+std::string state_of(const nlohmann::json& summary);
+
 /// Of every history but clocks: [{"name", "unit", "peak", "peak_time", "min", "min_time", "max", "max_time",
 /// "last"}], in their order, probes of the case first. The peak is the value farthest from zero.
 nlohmann::ordered_json extremes(const RunRecord& run, const v1::Case& the_case);

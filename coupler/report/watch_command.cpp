@@ -63,11 +63,13 @@ class WatchedRuns {
   /// A run with its frames from `frames` on; empty where it is as long as the page knows, and as far.
   std::string news(std::size_t run, std::size_t frames, std::size_t windows, const std::string& state) {
     const std::lock_guard turn(mutex_);
-    Json document;
-    read_patiently([&] { document = runs_[run].read(frames); });
-    const bool known = document["status"]["windows"] == windows && document["status"]["state"] == state &&
-                       document["scene"]["times"].size() == frames;
-    return known ? "" : document.dump(-1, ' ', false, Json::error_handler_t::replace);
+    std::string text;
+    read_patiently([&] {
+      text.clear();
+      if (runs_[run].has_news(frames, windows, state))
+        text = runs_[run].read(frames).dump(-1, ' ', false, Json::error_handler_t::replace);
+    });
+    return text;
   }
 
  private:
@@ -116,6 +118,7 @@ void lay_out(httplib::Server& server, const std::string& word, WatchedRuns& runs
 
 int watch_command(const WatchOptions& options) {
   WatchedRuns runs(options);
+  runs.whole_page();  // what is wrong with it is said here, not to a browser later
   const std::string word = secret();
   httplib::Server server;
   lay_out(server, word, runs);

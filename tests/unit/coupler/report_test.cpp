@@ -13,6 +13,7 @@
 #include "coupler/report/packing.hpp"
 #include "coupler/report/page.hpp"
 #include "coupler/report/reference_curves.hpp"
+#include "coupler/report/run_document.hpp"
 #include "coupler/report/run_numbers.hpp"
 #include "coupler/report/scene.hpp"
 #include "tests/support/case_text.hpp"
@@ -298,6 +299,14 @@ TEST(Outlines, OfAWallThatMovesAreWhereItGoes) {
     }
   EXPECT_NEAR(least, -0.1, 1e-6);
   EXPECT_NEAR(most, 0.1, 1e-6);
+}
+
+TEST(Page, TakesNoRunsOfDifferentDimensions) {
+  const auto run = [](const std::string& name, int dimension) {
+    return Json{{"name", name}, {"dimension", dimension}};
+  };
+  EXPECT_NO_THROW(page_document("report", Json::array({run("a", 2), run("b", 2)})));
+  EXPECT_THROW(page_document("report", Json::array({run("a", 2), run("b", 3)})), Error);
 }
 
 TEST(Page, LetsNoTextEndItsScript) {

@@ -111,7 +111,7 @@ export class Chart {
     const bracket = (name, u) => u ? `${name} [${u}]` : name;
     const log = this.log || this.frequency;
     const options = {
-      ...this.size(), cursor: {drag: {x: true, y: true, uni: 20}, sync: this.frequency ? undefined : {key: sync.key, setSeries: false}},
+      ...this.size(), cursor: {y: false, drag: {x: true, y: true, uni: 20}, sync: this.frequency ? undefined : {key: sync.key, setSeries: false}},
       legend: {live: true},
       scales: {x: {time: false}, y: log ? {distr: 3} : {}},
       axes: [{label: this.frequency ? "f [Hz]" : "t [s]", labelSize: 18, size: 34, stroke: "#374151", grid: {stroke: "#eceff3"}, ticks: {stroke: "#c5ccd6"}},
