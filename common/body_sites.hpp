@@ -35,4 +35,8 @@ class BodySites {
   std::vector<Vec<dim>> sites_;
 };
 
+/// Spacing of the structure's particles, the solid's own or the fluid's [m].
+/// @throws Error where neither has one
+double solid_spacing(const v1::Case& the_case);
+
 }  // namespace cosurge

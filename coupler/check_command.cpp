@@ -10,6 +10,7 @@
 #include "common/shape.hpp"
 #include "common/solvers.hpp"
 #include "coupler/coupler.hpp"
+#include "coupler/report/case_picture.hpp"
 #include "coupler/say.hpp"
 
 namespace cosurge {
@@ -56,12 +57,15 @@ double expected_windows(const v1::Case& c) {
 
 }  // namespace
 
-void check_command(const std::string& case_path, const std::vector<std::string>& overrides) {
+void check_command(const std::string& case_path, const std::vector<std::string>& overrides,
+                   const std::string& picture) {
+  if (!picture.empty()) require_picture_file(picture);
   const v1::Case the_case = load_case(case_path, overrides);
   say("{}: the case file is valid; setting up the solvers ...\n", the_case.title());
   const auto fluid = the_case.has_fluid() ? make_fluid_solver() : nullptr;
   const auto solid = the_case.has_solid() ? make_solid_solver() : nullptr;
   Coupler coupler(the_case, {.fluid = fluid.get(), .solid = solid.get()});
+  if (!picture.empty()) write_case_picture(picture, the_case, {.fluid = fluid.get(), .solid = solid.get()});
   say("  running {} windows to measure their time ...\n", Stopwatch::warm_up + Stopwatch::windows);
   Stopwatch stopwatch;
   coupler.run({&stopwatch}, [&] { return stopwatch.done(); });

@@ -1,6 +1,5 @@
 #include "coupler/csv_command.hpp"
 
-#include <H5Cpp.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -9,44 +8,13 @@
 #include <limits>
 
 #include "common/error.hpp"
-#include "coupler/recorder.hpp"
 #include "coupler/replace_file.hpp"
-#include "coupler/result_file.hpp"
+#include "coupler/results.hpp"
 
 namespace cosurge {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Series {
-  std::string name;
-  std::string unit;
-  std::vector<double> values;
-};
-
-Series read_series(const H5::Group& histories, const std::string& name) {
-  const H5::DataSet dataset = histories.openDataSet(name);
-  Series series{.name = name, .unit = "", .values = std::vector<double>(extent(dataset).front())};
-  if (!series.values.empty()) dataset.read(series.values.data(), H5::PredType::NATIVE_DOUBLE);
-  if (dataset.attrExists("unit")) {
-    const H5::Attribute unit = dataset.openAttribute("unit");
-    unit.read(unit.getStrType(), series.unit);
-  }
-  return series;
-}
-
-/// "time", "window", "coupling/force_x", ...: the two first, then by group and name.
-std::vector<std::string> names_in(const H5::Group& histories) {
-  std::vector<std::string> names;
-  for (hsize_t k = 0; k < histories.getNumObjs(); ++k) {
-    const std::string group = histories.getObjnameByIdx(k);
-    if (histories.childObjType(group) != H5O_TYPE_GROUP) continue;
-    const H5::Group inner = histories.openGroup(group);
-    for (hsize_t j = 0; j < inner.getNumObjs(); ++j) names.push_back(group + "/" + inner.getObjnameByIdx(j));
-  }
-  names.insert(names.begin(), {"time", "window"});
-  return names;
-}
 
 /// The columns that were asked for behind time and window.
 std::vector<std::string> chosen(const std::vector<std::string>& all, const std::vector<std::string>& wanted) {
@@ -76,31 +44,16 @@ std::string table_of(const std::vector<Series>& columns) {
   return text;
 }
 
-std::string read_table_of(const fs::path& file, const std::vector<std::string>& wanted) {
-  H5::Exception::dontPrint();
-  H5::FileAccPropList access;
-  H5Pset_file_locking(access.getId(), false, true);  // the run may go on
-  try {
-    const H5::H5File results(file.string(), H5F_ACC_RDONLY, H5::FileCreatPropList::DEFAULT, access);
-    const H5::Group histories = results.openGroup("/history");
-    std::vector<Series> columns;
-    for (const std::string& name : chosen(names_in(histories), wanted))
-      columns.push_back(read_series(histories, name));
-    return table_of(columns);
-  } catch (const H5::Exception& error) {
-    throw Error(fmt::format("{}: cannot be read as results: {}", file.string(), error.getDetailMsg()));
-  }
-}
-
 }  // namespace
 
 void csv_command(const CsvOptions& options) {
-  fs::path file = options.results;
-  if (fs::is_directory(file)) file /= Recorder::results_name;
-  require(fs::is_regular_file(file), "{}: no results there", file.string());
+  const Results results(options.results);
   require(options.out.empty() || !fs::exists(options.out), "{}: exists already; choose another --out",
           options.out);
-  const std::string text = read_table_of(file, options.columns);
+  std::vector<Series> columns;
+  for (const std::string& name : chosen(results.histories(), options.columns))
+    columns.push_back(results.history(name));
+  const std::string text = table_of(columns);
   if (options.out.empty())
     std::cout << text << std::flush;
   else

@@ -11,6 +11,8 @@
 #include "coupler/check_command.hpp"
 #include "coupler/csv_command.hpp"
 #include "coupler/map_command.hpp"
+#include "coupler/report/report_command.hpp"
+#include "coupler/report/watch_command.hpp"
 #include "coupler/run_command.hpp"
 #include "coupler/selftest_command.hpp"
 
@@ -47,6 +49,37 @@ void add_solvers(CLI::App& command, cosurge::RunOptions& options) {
   command.add_option("--patience", options.patience, "Longest wait for a solver's answer [s]")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
+}
+
+CLI::App* add_report(CLI::App& app, cosurge::ReportOptions& report) {
+  CLI::App* command = app.add_subcommand(
+      "report", "Write one page for a browser: the scene plays, with histories and tables");
+  command->add_option("results", report.results, "Folders of results; several lie on top of each other")
+      ->required();
+  command->add_option("--out", report.out, "The page (default: report.html in the first folder)");
+  command->add_option("--case", report.case_folder,
+                      "Folder with reference/*.csv (default: that of the case, which the results name)");
+  command
+      ->add_option("--size", report.megabytes,
+                   "Size of the page, about [MB]: it shows fewer frames or particles")
+      ->check(CLI::Range(0.5, 1000.0))
+      ->capture_default_str();
+  return command;
+}
+
+CLI::App* add_watch(CLI::App& app, cosurge::WatchOptions& watch) {
+  CLI::App* command = app.add_subcommand(
+      "watch", "Show a run in a browser of this machine while it goes on, with the time left");
+  command->add_option("results", watch.results, "Folders of results; several lie on top of each other")
+      ->required();
+  command->add_option("--port", watch.port, "Port on 127.0.0.1 (default: any that is free)")
+      ->check(CLI::Range(1, 65535));
+  command
+      ->add_option("--size", watch.megabytes,
+                   "Size of the page, about [MB]: it shows fewer frames or particles")
+      ->check(CLI::Range(0.5, 1000.0))
+      ->capture_default_str();
+  return command;
 }
 
 /// Letters to insert, leave out, change or swap with the next to make one word of the other (Damerau 1964).
@@ -117,6 +150,11 @@ int main(int argc, char** argv) {
   CLI::App* check_app = app.add_subcommand(
       "check", "Validate a case and show what would run: particles, windows, memory, time");
   add_case(*check_app, check_path, check_overrides);
+  std::string picture;
+  check_app->add_option(
+      "--picture", picture,
+      "A page for a browser that shows the case: FILE.html, with tank, water, bodies, clamps, "
+      "probes and the paths of walls");
 
   CLI::App* selftest_app = app.add_subcommand(
       "selftest", "Water on a sprung piston against its exact frequency and limit of stability");
@@ -154,6 +192,11 @@ int main(int argc, char** argv) {
       ->take_all();
   csv_app->add_option("--out", csv.out, "The table (default: standard output)");
 
+  cosurge::ReportOptions report;
+  CLI::App* report_app = add_report(app, report);
+  cosurge::WatchOptions watch;
+  CLI::App* watch_app = add_watch(app, watch);
+
   if (argc > 1 && argv[1][0] != '-') {
     if (const std::string wrong = unknown_command(app, argv[1]); !wrong.empty()) {
       std::cerr << wrong << '\n';
@@ -179,8 +222,13 @@ int main(int argc, char** argv) {
       cosurge::csv_command(csv);
       return 0;
     }
+    if (*watch_app) return cosurge::watch_command(watch);
+    if (*report_app) {
+      cosurge::report_command(report);
+      return 0;
+    }
     if (*resume_app) return cosurge::resume_command(resume);
-    cosurge::check_command(check_path, check_overrides);
+    cosurge::check_command(check_path, check_overrides, picture);
     return 0;
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';

@@ -1,23 +1,13 @@
 #include "coupler/provenance.hpp"
 
-#include <H5Cpp.h>
-
 #include <sstream>
 
-#include "common/error.hpp"
+#include "coupler/results.hpp"
 
 namespace cosurge {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string attribute(const H5::H5File& file, const std::string& name) {
-  std::string text;
-  if (!file.attrExists(name)) return text;
-  const H5::Attribute found = file.openAttribute(name);
-  found.read(found.getStrType(), text);
-  return text;
-}
 
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
@@ -34,14 +24,10 @@ Provenance Provenance::of_case(const std::string& path, const std::vector<std::s
 }
 
 Provenance Provenance::of_results(const fs::path& results) {
-  try {
-    const H5::H5File file(results.string(), H5F_ACC_RDONLY);
-    return {.case_file = attribute(file, "case_file"),
-            .overrides = lines_of(attribute(file, "set")),
-            .changes = lines_of(attribute(file, "changes"))};
-  } catch (const H5::Exception& exception) {  // not a std::exception
-    throw Error(fmt::format("{}: cannot be read: {}", results.string(), exception.getDetailMsg()));
-  }
+  const Results file(results);
+  return {.case_file = file.attribute("case_file"),
+          .overrides = lines_of(file.attribute("set")),
+          .changes = lines_of(file.attribute("changes"))};
 }
 
 }  // namespace cosurge

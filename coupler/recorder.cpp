@@ -10,6 +10,7 @@
 
 #include "common/error.hpp"
 #include "common/version.hpp"
+#include "coupler/lattice_mesh.hpp"
 #include "coupler/replace_file.hpp"
 
 namespace cosurge {
@@ -30,6 +31,14 @@ constexpr int rest = 50;  // times as long as writing the XDMF takes passes befo
 
 std::string without_prefix(const std::string& name, const std::string& owner) {
   return name.starts_with(owner + "_") ? name.substr(owner.size() + 1) : name;
+}
+
+/// The array of this name, with or without the member's in front; null where there is none.
+const Array* find_array(const Snapshot& snapshot, const std::string& member, const std::string& name) {
+  const auto found = std::find_if(snapshot.begin(), snapshot.end(), [&](const Array& array) {
+    return without_prefix(array.name, member) == name;
+  });
+  return found == snapshot.end() ? nullptr : &*found;
 }
 
 /// The arrays of a first frame. @throws Error where two have one name.
@@ -119,13 +128,42 @@ void Recorder::row(const std::vector<double>& values) {
   for (std::size_t k = 0; k < values.size(); ++k) histories_[k].add(time_, values[k]);
 }
 
-void Recorder::frame(double time, const std::vector<Snapshot>& snapshots) {
-  assert(snapshots.size() == members_.size());
+Snapshot Recorder::with_displacement(const Snapshot& solid) {
+  Snapshot arrays = solid;
+  const Array* position = find_array(arrays, "solid", "position");
+  if (position == nullptr) return arrays;
+  if (frame_times_.empty()) undeformed_ = position->values;
+  if (find_array(arrays, "solid", "displacement") != nullptr) return arrays;  // of a run that was resumed
+  Array displacement{
+      .name = "displacement", .unit = "m", .components = position->components, .values = position->values};
+  for (std::size_t k = 0; k < std::min(undeformed_.size(), displacement.values.size()); ++k)
+    displacement.values[k] -= undeformed_[k];
+  arrays.push_back(std::move(displacement));
+  return arrays;
+}
+
+void Recorder::write_mesh(XdmfCloud& cloud, const Snapshot& first) {
+  const Array* position = find_array(first, cloud.name, "position");
+  if (position == nullptr) return;
+  const std::size_t particles = position->values.size() / static_cast<std::size_t>(position->components);
+  const Mesh mesh = cloud.name == "solid" ? lattice_mesh(case_, *position) : points_mesh(particles);
+  cloud.mesh = "/mesh/" + cloud.name;
+  cloud.cells = mesh.cells();
+  cloud.corners = mesh.corners;
+  file_.put(cloud.mesh, mesh.connection, mesh.corners);
+}
+
+void Recorder::frame(double time, const std::vector<Snapshot>& sent) {
+  assert(sent.size() == members_.size());
+  std::vector<Snapshot> snapshots = sent;
   for (std::size_t m = 0; m < snapshots.size(); ++m) {
+    if (clouds_[m].name == "solid") snapshots[m] = with_displacement(sent[m]);
     if (frame_times_.empty()) clouds_[m].arrays = arrays_of(clouds_[m].name, snapshots[m]);
     require_same_arrays(clouds_[m], snapshots[m]);
   }
   write_waiting();
+  for (std::size_t m = 0; m < snapshots.size() && frame_times_.empty(); ++m)
+    write_mesh(clouds_[m], snapshots[m]);
   for (std::size_t m = 0; m < snapshots.size(); ++m)
     for (const Array& array : snapshots[m])
       file_.append("/frames/" + clouds_[m].name + "/" + without_prefix(array.name, clouds_[m].name), array);

@@ -4,6 +4,7 @@
 //   /history/fluid/COLUMN, /history/solid/COLUMN, /history/coupling/COLUMN      one value a window
 //   /frames/time                        instants of the frames [s]
 //   /frames/fluid/ARRAY, /frames/solid/ARRAY      frames x particles (x components, for vectors)
+//   /mesh/fluid, /mesh/solid            cells between particles: the numbers of their corners, a row a cell
 //   /interface/position, area, body     the interface points in the reference configuration
 //
 // Every dataset of numbers with a unit says it in the attribute `unit`. Attributes of the root: format,
@@ -45,8 +46,9 @@ class Recorder : public Observer {
   /// One frame, in the order of the members; afterwards all that was recorded is on disk. The XDMF file,
   /// which is as long as there are frames and is written as a whole, follows so that it takes a fiftieth of
   /// the time at most: at once where frames are few or rare, and at flush(). An array's name loses the
-  /// member's name in front: "solid_position" is /frames/solid/position.
-  void frame(double time, const std::vector<Snapshot>& snapshots) override;
+  /// member's name in front: "solid_position" is /frames/solid/position. The structure gets its displacement
+  /// since the first frame as an array of its own.
+  void frame(double time, const std::vector<Snapshot>& sent) override;
 
   void flush();
 
@@ -64,6 +66,8 @@ class Recorder : public Observer {
   void describe(const Provenance& provenance);
   void write_waiting();
   void write_xdmf();
+  void write_mesh(XdmfCloud& cloud, const Snapshot& first);
+  Snapshot with_displacement(const Snapshot& solid);
 
   using Clock = std::chrono::steady_clock;
 
@@ -74,8 +78,9 @@ class Recorder : public Observer {
   std::vector<History> histories_;  // time, window, then in the order of reports and coupling values
   std::vector<double> frame_times_;
   std::vector<XdmfCloud> clouds_;
-  Clock::time_point xdmf_end_;   // of the last writing
-  Clock::duration xdmf_cost_{};  // of it
+  std::vector<float> undeformed_;  // positions of the structure in the first frame
+  Clock::time_point xdmf_end_;     // of the last writing
+  Clock::duration xdmf_cost_{};    // of it
   bool xdmf_waits_ = false;
   std::uint64_t windows_ = 0;
   double time_ = 0;

@@ -104,6 +104,14 @@ void ResultFile::put(const std::string& name, const std::vector<int>& numbers) {
   });
 }
 
+void ResultFile::put(const std::string& name, const std::vector<int>& numbers, int columns) {
+  attempt("cannot write " + name, [&] {
+    const hsize_t size[] = {numbers.size() / static_cast<hsize_t>(columns), static_cast<hsize_t>(columns)};
+    create(name, "", H5::PredType::NATIVE_INT, H5::DataSpace(2, size), H5::DSetCreatPropList::DEFAULT)
+        .write(numbers.data(), H5::PredType::NATIVE_INT);
+  });
+}
+
 void ResultFile::add_series(const std::string& name, const std::string& unit) {
   attempt("cannot make " + name, [&] {
     const hsize_t none = 0, endless = H5S_UNLIMITED, chunk = rows_a_chunk;

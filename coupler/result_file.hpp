@@ -39,6 +39,8 @@ class ResultFile {
   /// Numbers that stay: one row a column of `field`.
   void put(const std::string& name, const std::string& unit, const Field& field);
   void put(const std::string& name, const std::vector<int>& numbers);
+  /// The same in rows of `columns` numbers.
+  void put(const std::string& name, const std::vector<int>& numbers, int columns);
 
   /// A number a row; append() makes it longer.
   void add_series(const std::string& name, const std::string& unit);

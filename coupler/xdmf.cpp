@@ -8,6 +8,10 @@
 namespace cosurge {
 namespace {
 
+const char* topology(int corners) {
+  return corners == 4 ? "Quadrilateral" : corners == 8 ? "Hexahedron" : "Polyvertex";
+}
+
 /// One cloud at one instant: writes the elements of its grid.
 class Grid {
  public:
@@ -15,14 +19,18 @@ class Grid {
       : out_(std::back_inserter(text)), file_(file), frame_(frame), frames_(frames) {}
 
   void write(const XdmfCloud& cloud, const XdmfArray& position, double time) {
-    fmt::format_to(
-        out_,
-        "   <Grid Name=\"{}\" GridType=\"Uniform\">\n"
-        "    <Time Value=\"{:.17g}\"/>\n"
-        "    <Topology TopologyType=\"Polyvertex\" NodesPerElement=\"1\" NumberOfElements=\"{}\"/>\n"
-        "    <Geometry GeometryType=\"{}\">\n",
-        cloud.name, time, position.particles, position.components == 2 ? "XY" : "XYZ");
-    slab(position);
+    fmt::format_to(out_,
+                   "   <Grid Name=\"{}\" GridType=\"Uniform\">\n"
+                   "    <Time Value=\"{:.17g}\"/>\n"
+                   "    <Topology TopologyType=\"{}\" NumberOfElements=\"{}\"{}>\n"
+                   "     <DataItem Dimensions=\"{} {}\" NumberType=\"Int\" Precision=\"4\" "
+                   "Format=\"HDF\">{}:{}</DataItem>\n"
+                   "    </Topology>\n"
+                   "    <Geometry GeometryType=\"{}\">\n",
+                   cloud.name, time, topology(cloud.corners), cloud.cells,
+                   cloud.corners == 1 ? " NodesPerElement=\"1\"" : "", cloud.cells, cloud.corners, file_,
+                   cloud.mesh, position.components == 2 ? "XY" : "XYZ");
+    values(position);
     fmt::format_to(out_, "    </Geometry>\n");
     for (const XdmfArray& array : cloud.arrays)
       if (array.name != "position" && array.particles == position.particles) attribute(array);
@@ -34,45 +42,21 @@ class Grid {
     const bool vector = array.components == 2 || array.components == 3;
     fmt::format_to(out_, "    <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"Node\">\n", array.name,
                    vector ? "Vector" : (array.components == 1 ? "Scalar" : "Matrix"));
-    if (array.components == 2) {
-      fmt::format_to(out_,
-                     "     <DataItem ItemType=\"Function\" Function=\"JOIN($0, $1, 0*$0)\" "
-                     "Dimensions=\"{} 3\">\n",
-                     array.particles);
-      component(array, 0);
-      component(array, 1);
-      fmt::format_to(out_, "     </DataItem>\n");
-    } else {
-      slab(array);
-    }
+    values(array);
     fmt::format_to(out_, "    </Attribute>\n");
   }
 
-  /// All components of this frame.
-  void slab(const XdmfArray& array) {
-    if (array.components == 1)
-      select(fmt::format("{}", array.particles), fmt::format("{} 0 1 1 1 {}", frame_, array.particles), 2,
-             array);
-    else
-      select(fmt::format("{} {}", array.particles, array.components),
-             fmt::format("{} 0 0 1 1 1 1 {} {}", frame_, array.particles, array.components), 3, array);
-  }
-
-  void component(const XdmfArray& array, int k) {
-    select(fmt::format("{}", array.particles),
-           fmt::format("{} 0 {} 1 1 1 1 {} 1", frame_, k, array.particles), 3, array);
-  }
-
-  /// `selection`: start, stride and count in each of the `rank` dimensions of the array.
-  void select(const std::string& size, const std::string& selection, int rank, const XdmfArray& array) {
-    const std::string last = array.components == 1 ? "" : fmt::format(" {}", array.components);
+  /// All of this frame: start, stride and count of the selection, and the extent of the array.
+  void values(const XdmfArray& array) {
+    const bool many = array.components > 1;
+    const std::string size =
+        many ? fmt::format("{} {}", array.particles, array.components) : fmt::format("{}", array.particles);
+    const char* rest = many ? " 0" : "";
+    const char* one = many ? " 1" : "";
     fmt::format_to(out_,
-                   "     <DataItem ItemType=\"HyperSlab\" Type=\"HyperSlab\" Dimensions=\"{}\">\n"
-                   "      <DataItem Dimensions=\"3 {}\" NumberType=\"Int\" Format=\"XML\">{}</DataItem>\n"
-                   "      <DataItem Dimensions=\"{} {}{}\" NumberType=\"Float\" Precision=\"4\" "
-                   "Format=\"HDF\">{}:{}</DataItem>\n"
-                   "     </DataItem>\n",
-                   size, rank, selection, frames_, array.particles, last, file_, array.place);
+                   "     <DataItem Dimensions=\"{0}\" NumberType=\"Float\" Precision=\"4\" "
+                   "Format=\"HDF\">{1}:{2}|{3} 0{4}:1 1{5}:1 {0}:{6} {0}</DataItem>\n",
+                   size, file_, array.place, frame_, rest, one, frames_);
   }
 
   std::back_insert_iterator<std::string> out_;
@@ -85,11 +69,11 @@ class Grid {
 
 std::string xdmf(const std::string& file, const std::vector<double>& times,
                  const std::vector<XdmfCloud>& clouds) {
-  std::string text = "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n <Domain>\n";
+  std::string text = "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n <Domain>\n";
   for (const XdmfCloud& cloud : clouds) {
     const auto position = std::find_if(cloud.arrays.begin(), cloud.arrays.end(),
                                        [](const XdmfArray& array) { return array.name == "position"; });
-    if (position == cloud.arrays.end() || position->particles == 0) continue;
+    if (position == cloud.arrays.end() || position->particles == 0 || cloud.cells == 0) continue;
     text +=
         fmt::format("  <Grid Name=\"{}\" GridType=\"Collection\" CollectionType=\"Temporal\">\n", cloud.name);
     for (std::size_t frame = 0; frame < times.size(); ++frame)

@@ -1,5 +1,4 @@
-// The frames of a run as ParaView and VisIt read them: an XML file that says what lies where in the HDF5
-// file.
+// The frames of a run as ParaView reads them: an XML file that says what lies where in the HDF5 file.
 #pragma once
 
 #include <cstdint>
@@ -16,15 +15,18 @@ struct XdmfArray {
   int components;
 };
 
-/// The particles of one solver.
+/// The particles of one solver, with the cells between them.
 struct XdmfCloud {
   std::string name;  ///< "fluid"
   std::vector<XdmfArray> arrays;
+  std::string mesh = "";    ///< where the corners of the cells lie in the HDF5 file: "/mesh/fluid"
+  std::uint64_t cells = 0;  ///< as many rows has it
+  int corners = 1;          ///< of a cell: 1, 4 (quadrilaterals) or 8 (hexahedra)
 };
 
-/// An XDMF 2 document: a temporal collection of polyvertex grids for every cloud that has positions and
-/// particles. Vectors of two components get a zero for the third. To be opened with ParaView's "XDMF Reader":
-/// its Xdmf3 readers do not know the HyperSlab items that pick a frame out of an array.
+/// An XDMF 3 document: a temporal collection of grids for every cloud that has positions and cells. Frames
+/// are picked out of their arrays as ParaView's default readers (Xdmf3ReaderS, Xdmf3ReaderT) understand it,
+/// "FILE:PLACE|start:stride:count:extent"; items of the type HyperSlab crash these.
 /// `file`: name of the HDF5 file beside it; `times`: of the frames [s].
 std::string xdmf(const std::string& file, const std::vector<double>& times,
                  const std::vector<XdmfCloud>& clouds);

@@ -3,6 +3,7 @@
 #include <cassert>
 #include <limits>
 
+#include "common/body_sites.hpp"
 #include "common/error.hpp"
 #include "common/shape.hpp"
 #include "common/solvers.hpp"

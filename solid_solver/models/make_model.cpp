@@ -1,5 +1,6 @@
 #include "solid_solver/models/make_model.hpp"
 
+#include "common/body_sites.hpp"
 #include "common/error.hpp"
 #include "common/vec.hpp"
 #include "solid_solver/models/fem/fem_model.hpp"
@@ -42,12 +43,6 @@ std::unique_ptr<SolidModel> make(const v1::Case& the_case) {
 }
 
 }  // namespace
-
-double solid_spacing(const v1::Case& the_case) {
-  if (the_case.solid().has_spacing()) return the_case.solid().spacing();
-  require(the_case.has_fluid(), "solid.spacing: missing, and there is no fluid to take it from");
-  return the_case.fluid().spacing();
-}
 
 std::unique_ptr<SolidModel> make_model(const v1::Case& the_case) {
   require(the_case.has_solid(), "the case has no solid");

@@ -12,8 +12,4 @@ namespace cosurge {
 /// dimensions that the model does not have, and for what the model itself refuses.
 std::unique_ptr<SolidModel> make_model(const v1::Case& the_case);
 
-/// Of the solid's points [m].
-/// @throws Error where neither solid nor fluid have one
-double solid_spacing(const v1::Case& the_case);
-
 }  // namespace cosurge

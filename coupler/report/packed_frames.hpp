@@ -1,0 +1,30 @@
+// Frames of a solver's particles, packed for the page of a report.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "coupler/report/frame_source.hpp"
+
+namespace cosurge {
+
+/// The particles of a solver that a report shows: the same ones in all frames.
+struct Cast {
+  std::string member;                   ///< "fluid"
+  std::vector<std::size_t> particles;   ///< their numbers in the frames
+  double finest = 0;                    ///< positions need not be finer [m]; 0: as fine as 16 bits are
+  std::vector<std::string> quantities;  ///< names of arrays to colour by; "speed" is made of "velocity"
+};
+
+/// Packs some frames, which can be read without any others. Positions are whole multiples, of 16 bits, of a
+/// step from an origin; a quantity is the square of 8 bits between its least and largest value, so that small
+/// values next to a peak stay visible. Of a frame the page gets, for each coordinate, the difference from
+/// what the two frames before foretell (with the sign in the lowest bit), the kind, and the quantities as
+/// differences from the frame before. Particles whose place is not finite get the kind 5, lost.
+/// Returns {"member", "particles", "origin", "step", "components", "kinds", "quantities": [{"name", "unit",
+/// "min", "max"}], "frames", "data"}: data is packed() (coupler/report/packing.hpp).
+nlohmann::ordered_json pack_frames(const FrameSource& source, const Cast& cast,
+                                   const std::vector<std::size_t>& frames);
+
+}  // namespace cosurge

@@ -1,0 +1,15 @@
+// The page that shows runs: one HTML file with all that it needs.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace cosurge {
+
+/// The page with its program (built from coupler/report/page) and what it shows (page_document()).
+std::string page(const nlohmann::ordered_json& document);
+
+/// JSON text that may stand in a script element of HTML.
+std::string json_for_html(const nlohmann::ordered_json& document);
+
+}  // namespace cosurge

@@ -1,0 +1,22 @@
+// cosurge report: runs as one page for a browser.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace cosurge {
+
+struct ReportOptions {
+  std::vector<std::string> results;  ///< folders of results, or their results.h5
+  std::string out;                   ///< the page; empty: report.html in the first folder
+  std::string case_folder;           ///< with reference/*.csv; empty: those that the results name
+  double megabytes = 5;              ///< that the page may take, about
+};
+
+/// Writes the page, and says where. The one in a folder of results is replaced; a file that `out` names must
+/// not exist. Works while the run goes on, and after it was killed.
+/// @throws Error, with all that is wrong, where there are no results, or the page exists or cannot be
+/// written.
+void report_command(const ReportOptions& options);
+
+}  // namespace cosurge

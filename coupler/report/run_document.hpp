@@ -1,0 +1,45 @@
+// What the page of a report gets to know of a run.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "coupler/report/scene.hpp"
+
+namespace cosurge {
+
+struct DocumentOptions {
+  std::filesystem::path case_folder;  ///< with reference curves; empty: the one that the results name
+  double megabytes = 4;               ///< that frames of one run may take, about
+};
+
+/// A run as the page has it, read anew at each call: also of a run that goes on.
+class RunDocument {
+ public:
+  /// @throws Error where there are no results, or they cannot be read.
+  RunDocument(const std::filesystem::path& results, const DocumentOptions& options);
+
+  /// {"name", "title", "dimension", "status", "verdict", "facts", "case", "tables", "extremes", "impulses",
+  /// "balance", "phases", "references", "scene"}; "scene" has the frames from the number `first_frame` of
+  /// those that are shown on. Keys whose value is a table say its columns where it is made
+  /// (coupler/report/run_numbers.hpp, case_table.hpp, outlines.hpp, scene.hpp).
+  nlohmann::ordered_json read(std::size_t first_frame = 0);
+
+  /// Whether there is more, or another end, than a page knows that has `frames` and `windows` and the state
+  /// (status() in run_numbers.hpp). Reads little.
+  bool has_news(std::size_t frames, std::size_t windows, const std::string& state) const;
+
+ private:
+  nlohmann::ordered_json scene(const Results& results, const v1::Case& the_case, std::size_t first_frame);
+
+  std::filesystem::path place_;
+  DocumentOptions options_;
+  std::optional<SceneChoice> choice_;  // made at the first frame: the page keeps its particles
+};
+
+/// {"made", "cosurge", "mode", "runs"}: all that a page gets.
+/// @throws Error where the runs are not all of two or all of three dimensions
+nlohmann::ordered_json page_document(const std::string& mode, nlohmann::ordered_json runs);
+
+}  // namespace cosurge
