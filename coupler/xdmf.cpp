@@ -8,6 +8,24 @@
 namespace cosurge {
 namespace {
 
+/// A name of somebody's choice, as it may stand in XML.
+std::string escaped(const std::string& name) {
+  std::string text;
+  for (const char c : name) {
+    if (c == '&')
+      text += "&amp;";
+    else if (c == '<')
+      text += "&lt;";
+    else if (c == '>')
+      text += "&gt;";
+    else if (c == '"')
+      text += "&quot;";
+    else
+      text += c;
+  }
+  return text;
+}
+
 /// One cloud at one instant: writes the elements of its grid.
 class Grid {
  public:
@@ -32,8 +50,8 @@ class Grid {
  private:
   void attribute(const XdmfArray& array) {
     const bool vector = array.components == 2 || array.components == 3;
-    fmt::format_to(out_, "    <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"Node\">\n", array.name,
-                   vector ? "Vector" : (array.components == 1 ? "Scalar" : "Matrix"));
+    fmt::format_to(out_, "    <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"Node\">\n",
+                   escaped(array.name), vector ? "Vector" : (array.components == 1 ? "Scalar" : "Matrix"));
     if (array.components == 2) {
       fmt::format_to(out_,
                      "     <DataItem ItemType=\"Function\" Function=\"JOIN($0, $1, 0*$0)\" "
@@ -72,7 +90,7 @@ class Grid {
                    "      <DataItem Dimensions=\"{} {}{}\" NumberType=\"Float\" Precision=\"4\" "
                    "Format=\"HDF\">{}:{}</DataItem>\n"
                    "     </DataItem>\n",
-                   size, rank, selection, frames_, array.particles, last, file_, array.place);
+                   size, rank, selection, frames_, array.particles, last, file_, escaped(array.place));
   }
 
   std::back_insert_iterator<std::string> out_;
