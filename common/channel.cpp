@@ -50,6 +50,8 @@ const std::string& Channel::endpoint() const { return line_->endpoint(); }
 
 const std::string& Channel::server_key() const { return line_->server_key(); }
 
+void Channel::turn_away_strangers() { line_->turn_away_strangers(); }
+
 void Channel::send(const google::protobuf::MessageLite& message) {
   const std::size_t size = message.ByteSizeLong();
   require(size <= options_.message_limit, "a message of {} bytes to {} exceeds the limit of {}", size, peer(),

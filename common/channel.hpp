@@ -81,6 +81,9 @@ class Channel {
   void set_peer_ended(PeerEnded peer_ended) { peer_ended_ = std::move(peer_ended); }
   void set_cancelled(Cancelled cancelled) { cancelled_ = std::move(cancelled); }
 
+  /// Over TCP, cuts off who sends much without having shown its key; receive() does so itself.
+  void turn_away_strangers();
+
   /// Sends without waiting. @throws PeerLost; Error where the message exceeds the limit.
   void send(const google::protobuf::MessageLite& message);
 

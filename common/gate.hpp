@@ -2,13 +2,15 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <set>
 
 namespace cosurge {
 
 /// Lets few connections wait for their handshake at a time, and none come once the gate is shut. A connection
 /// that comes to a closed gate gets no answer from the system; it succeeds by one of its repetitions where
-/// the gate opens again.
+/// the gate opens again. A handshake has some hundred bytes: whoever sends many more without one is cut off,
+/// since ZeroMQ would keep as much as a message may have.
 class Gate {
  public:
   /// Connections at a time: a quarter of the files that this process may open, 256 at most.
@@ -23,6 +25,15 @@ class Gate {
   void came(int connection);
   void left(int connection);
 
+  /// The connection has shown its key.
+  void trust(int connection) { strangers_.erase(connection); }
+
+  /// Whether any connection has not.
+  bool has_strangers() const { return !strangers_.empty(); }
+
+  /// Ends the connections of strangers that have sent too much. All news of connections must have been told.
+  void cut_off() const;
+
   bool knows(int connection) const { return connections_.contains(connection); }
 
   /// For good: connections that have been made stay.
@@ -33,6 +44,7 @@ class Gate {
 
   int descriptor_ = -1;
   std::set<int> connections_;
+  std::set<int> strangers_;  // of these, the ones without a handshake
   bool shut_ = false;
   bool closed_ = false;
 };

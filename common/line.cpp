@@ -1,5 +1,6 @@
 #include "common/line.hpp"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstring>
@@ -11,10 +12,11 @@
 namespace cosurge {
 namespace {
 
-constexpr int heartbeat_interval = 250;  // [ms]
-constexpr int handshake_time = 3000;     // [ms] for whoever has connected over TCP to show its key
-constexpr int waiting_messages = 4;      // of a peer that sends what nobody has asked for
-constexpr int connect_time = 2000;       // [ms] until a coupler at whose gate others stand is tried again
+constexpr int heartbeat_interval = 250;     // [ms]
+constexpr int handshake_time = 3000;        // [ms] for whoever has connected over TCP to show its key
+constexpr double look_at_strangers = 0.01;  // [s] between looks at what they send
+constexpr int waiting_messages = 4;         // of a peer that sends what nobody has asked for
+constexpr int connect_time = 2000;          // [ms] until a coupler at whose gate others stand is tried again
 constexpr int watched_events = ZMQ_EVENT_LISTENING | ZMQ_EVENT_ACCEPTED | ZMQ_EVENT_HANDSHAKE_SUCCEEDED |
                                ZMQ_EVENT_HANDSHAKE_FAILED_NO_DETAIL | ZMQ_EVENT_HANDSHAKE_FAILED_PROTOCOL |
                                ZMQ_EVENT_HANDSHAKE_FAILED_AUTH | ZMQ_EVENT_DISCONNECTED;
@@ -169,7 +171,14 @@ bool Line::put(zmq::message_t&& message) {
   return true;
 }
 
+void Line::turn_away_strangers() {
+  read_news();
+  gate_.cut_off();
+}
+
 void Line::sleep(double seconds) {
+  turn_away_strangers();
+  if (gate_.has_strangers()) seconds = std::min(seconds, look_at_strangers);
   std::vector<zmq_pollitem_t> items = {{socket_.handle(), 0, ZMQ_POLLIN, 0}};
   if (monitor_) items.push_back({monitor_.handle(), 0, ZMQ_POLLIN, 0});
   const int count =
@@ -204,6 +213,7 @@ void Line::note(int event, int value) {
     gate_.came(value);
   } else if (event == ZMQ_EVENT_HANDSHAKE_SUCCEEDED) {
     connected_ = !accepts_;
+    gate_.trust(value);
   } else if (event != ZMQ_EVENT_DISCONNECTED) {
     trouble_ = "a connection failed in its handshake: one side has no key, or that of another run";
     if (!accepts_) loss_ = trouble_;

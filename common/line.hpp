@@ -42,6 +42,10 @@ class Line {
   /// Sleeps until a message or news of the peer arrives, or the time is over.
   void sleep(double seconds);
 
+  /// Over TCP, cuts off who sends much without having shown its key. To be called often while a solver is
+  /// awaited; sleep() does so for this line.
+  void turn_away_strangers();
+
   /// How the connection was lost, once it was.
   std::optional<std::string> loss();
 

@@ -7,6 +7,7 @@
 
 #include "common/serve.hpp"
 #include "common/threads.hpp"
+#include "common/wire_words.hpp"
 
 namespace cosurge {
 namespace {
@@ -76,10 +77,10 @@ int serve_main(int argc, char** argv, const std::function<std::unique_ptr<Partic
     run(*participant, options);
     return 0;
   } catch (const NumericalError& error) {
-    std::cerr << name << ": " << error.what() << '\n';
+    std::cerr << name << ": " << printable(error.what()) << '\n';
     return exit_numerical;
   } catch (const std::exception& error) {
-    std::cerr << name << ": " << error.what() << '\n';
+    std::cerr << name << ": " << printable(error.what()) << '\n';
     return exit_error;
   }
 }

@@ -12,10 +12,16 @@ bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x
 }  // namespace
 
 std::string printable(const std::string& words, std::size_t most) {
-  std::string text = words.substr(0, most);
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return is_control(c) && c != '\n'; }, '?');
-  return words.size() > most ? text + "..." : text;
+  const std::size_t end = std::min(words.size(), most);
+  std::string text;
+  for (std::size_t k = 0; k < end; ++k) {
+    const char c = words[k];
+    const bool second = k + 1 < end && c == '\xc2' && static_cast<unsigned char>(words[k + 1]) < 0xa0;  // C1
+    text.push_back(second || (is_control(c) && c != '\n') ? '?' : c);
+    if (second) ++k;
+  }
+  if (end < words.size()) text.append("...");
+  return text;
 }
 
 void require_name(const std::string& name, const char* what) {

@@ -6,8 +6,8 @@
 namespace cosurge {
 
 /// As they may be shown on a terminal: no more than `most` bytes, and '?' in place of control characters
-/// other than the end of a line.
-std::string printable(const std::string& words, std::size_t most);
+/// (C0, DEL, and C1 as UTF-8 has it) other than the end of a line.
+std::string printable(const std::string& words, std::size_t most = std::string::npos);
 
 /// That a name can be that of a part of the results. `what`: "column", for the message.
 /// @throws Error where it is empty, too long, or has a slash or control characters.

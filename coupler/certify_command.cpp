@@ -5,6 +5,8 @@
 
 #include "coupler/certify/abuse.hpp"
 #include "coupler/launcher.hpp"
+#include "coupler/run_folder.hpp"
+#include "coupler/say.hpp"
 
 namespace cosurge {
 namespace {
@@ -283,11 +285,11 @@ int certify_command(const CertifyOptions& options) {
       trouble = error.what();
     }
     failed += trouble.empty() ? 0 : 1;
-    fmt::print("{}  {}{}{}\n", trouble.empty() ? "passed" : "FAILED", check.what, trouble.empty() ? "" : ": ",
-               trouble);
+    say("{}  {}{}{}\n", trouble.empty() ? "passed" : "FAILED", check.what, trouble.empty() ? "" : ": ",
+        trouble);
     std::fflush(stdout);
   }
-  fmt::print("{}\n", failed == 0 ? "certified" : fmt::format("{} checks failed", failed));
+  say("{}\n", failed == 0 ? "certified" : fmt::format("{} checks failed", failed));
   return failed == 0 ? 0 : 1;
 }
 

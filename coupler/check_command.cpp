@@ -72,20 +72,20 @@ void check_command(const std::string& case_path, const std::vector<std::string>&
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   const double windows = expected_windows(the_case);
-  fmt::print("{}: the case is valid\n", the_case.title());
+  say("{}: the case is valid\n", the_case.title());
   for (const Member& member : coupler.members()) {
-    fmt::print("  {:<12} {} particles", member.name, member.setup.particles);
+    say("  {:<12} {} particles", member.name, member.setup.particles);
     if (member.setup.substep > 0)
-      fmt::print(", sub-steps of {:.3g} s ({:.0f} a window)", member.setup.substep,
-                 std::ceil(the_case.time().window() / member.setup.substep));
-    fmt::print("\n");
+      say(", sub-steps of {:.3g} s ({:.0f} a window)", member.setup.substep,
+          std::ceil(the_case.time().window() / member.setup.substep));
+    say("\n");
   }
-  fmt::print("  {:<12} {}\n", "interface", fmt::format("{} points", coupler.interface().points()));
-  fmt::print("  {:<12} about {:.0f} of at most {:g} s, to t = {:g} s\n", "windows", windows,
-             the_case.time().window(), the_case.time().end());
-  fmt::print("  {:<12} {:.0f} MB\n", "memory", static_cast<double>(usage.ru_maxrss) / 1024);
-  fmt::print("  {:<12} {:.3g} ms a window now, about {:.0f} s in all\n", "time",
-             1e3 * stopwatch.seconds_per_window(), windows * stopwatch.seconds_per_window());
+  say("  {:<12} {}\n", "interface", fmt::format("{} points", coupler.interface().points()));
+  say("  {:<12} about {:.0f} of at most {:g} s, to t = {:g} s\n", "windows", windows,
+      the_case.time().window(), the_case.time().end());
+  say("  {:<12} {:.0f} MB\n", "memory", static_cast<double>(usage.ru_maxrss) / 1024);
+  say("  {:<12} {:.3g} ms a window now, about {:.0f} s in all\n", "time",
+      1e3 * stopwatch.seconds_per_window(), windows * stopwatch.seconds_per_window());
 }
 
 }  // namespace cosurge

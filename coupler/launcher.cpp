@@ -1,9 +1,5 @@
 #include "coupler/launcher.hpp"
 
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
-
 #include "common/serve.hpp"
 #include "common/threads.hpp"
 
@@ -17,23 +13,6 @@ std::filesystem::path connection_file(Role role, const std::filesystem::path& fo
 }
 
 }  // namespace
-
-RunFolder::RunFolder() {
-  // A socket's path must fit into 107 characters: a long TMPDIR is of no use here.
-  constexpr std::size_t longest = 60;
-  std::filesystem::path parent = std::filesystem::temp_directory_path();
-  if (parent.native().size() > longest) parent = "/tmp";
-  std::string name = (parent / "cosurge-XXXXXX").string();
-  const bool made = ::mkdtemp(name.data()) != nullptr;
-  const int error = made ? 0 : errno;
-  require(made, "cannot make a folder in {}: {}", parent.string(), std::strerror(error));
-  path_ = name;
-}
-
-RunFolder::~RunFolder() {
-  std::error_code none;
-  std::filesystem::remove_all(path_, none);
-}
 
 Solver::Solver(Role role, std::string token, Channel channel)
     : role_(role), token_(std::move(token)), channel_(std::make_unique<Channel>(std::move(channel))) {}

@@ -14,21 +14,6 @@
 
 namespace cosurge {
 
-/// A new folder for the sockets and connection files of one run, which nobody else may enter; it goes with
-/// this object.
-class RunFolder {
- public:
-  RunFolder();
-  ~RunFolder();
-  RunFolder(const RunFolder&) = delete;
-  RunFolder& operator=(const RunFolder&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
 /// Where the wire to a solver lies, and what it allows.
 struct Wiring {
   std::filesystem::path folder;  ///< gets ROLE.connection and, unless `listen` says otherwise, the socket
@@ -55,6 +40,11 @@ class Solver {
 
   /// The command that starts the solver by hand.
   const std::string& how_to_start() const { return how_to_start_; }
+
+  /// To be called ten times a second while another solver is joined: see Channel.
+  void turn_away_strangers() {
+    if (channel_) channel_->turn_away_strangers();
+  }
 
   /// Waits for the solver and welcomes it; gives up once `cancelled` says so, as do all later calls.
   /// @throws as RemoteParticipant; Interrupted.

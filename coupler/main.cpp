@@ -7,6 +7,7 @@
 
 #include "common/threads.hpp"
 #include "common/version.hpp"
+#include "common/wire_words.hpp"
 #include "coupler/certify_command.hpp"
 #include "coupler/check_command.hpp"
 #include "coupler/csv_command.hpp"
@@ -199,7 +200,7 @@ int main(int argc, char** argv) {
 
   if (argc > 1 && argv[1][0] != '-') {
     if (const std::string wrong = unknown_command(app, argv[1]); !wrong.empty()) {
-      std::cerr << wrong << '\n';
+      std::cerr << cosurge::printable(wrong) << '\n';
       return 2;
     }
   }
@@ -231,7 +232,7 @@ int main(int argc, char** argv) {
     cosurge::check_command(check_path, check_overrides, picture);
     return 0;
   } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
+    std::cerr << cosurge::printable(error.what()) << '\n';
     return 1;
   }
 }

@@ -13,6 +13,7 @@
 #include "common/threads.hpp"
 #include "coupler/map_cell.hpp"
 #include "coupler/replace_file.hpp"
+#include "coupler/say.hpp"
 #include "coupler/swing.hpp"
 #include "coupler/work_processes.hpp"
 
@@ -164,7 +165,7 @@ int map_command(const MapOptions& options) {
   std::vector<MapCell> files;
   for (const auto& values : grid) files.emplace_back(parts, settings_of(axes, values));
   const auto say_row = [&](std::size_t k) {
-    fmt::print("{}: {}\n", fmt::join(grid[k], ", "), files[k].row().substr(0, 90));
+    say("{}: {}\n", fmt::join(grid[k], ", "), files[k].row().substr(0, 90));
     std::fflush(stdout);
   };
   const auto fill = [&](std::size_t k) { fill_cell(options, settings_of(axes, grid[k]), files[k]); };
@@ -183,8 +184,7 @@ int map_command(const MapOptions& options) {
   }
   replace_file(options.out, {table});
   fs::remove_all(parts);
-  if (failed == grid.size())
-    fmt::print("every cell failed; the reasons are the last column of {}\n", options.out);
+  if (failed == grid.size()) say("every cell failed; the reasons are the last column of {}\n", options.out);
   return failed == grid.size() ? 1 : 0;
 }
 

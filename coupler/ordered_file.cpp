@@ -1,6 +1,7 @@
 #include "coupler/ordered_file.hpp"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -229,6 +230,31 @@ H5::FileAccPropList OrderedFile::access() {
 OrderedFile::OrderedFile(const H5::H5File& file) { file.getVFDHandle(&driver_); }
 
 void OrderedFile::commit() { cosurge::commit(*static_cast<Driver*>(driver_)); }
+
+bool OrderedFile::lies_at(const std::string& path) const {
+  struct stat mine {
+  }, there{};
+  return fstat(static_cast<const Driver*>(driver_)->file, &mine) == 0 && stat(path.c_str(), &there) == 0 &&
+         mine.st_dev == there.st_dev && mine.st_ino == there.st_ino;
+}
+
+bool OrderedFile::copy_to(const std::string& path) const {
+  const Driver& driver = *static_cast<const Driver*>(driver_);
+  const int copy = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (copy < 0) return false;
+  Bytes block(std::size_t{1} << 20);
+  off_t at = 0;
+  ssize_t got = 0;
+  bool written = true;
+  while (written && (got = pread(driver.file, block.data(), block.size(), at)) > 0) {
+    written = pwrite(copy, block.data(), static_cast<std::size_t>(got), at) == got;
+    at += got;
+  }
+  written = written && got == 0 && fsync(copy) == 0;
+  close(copy);
+  if (!written) unlink(path.c_str());
+  return written;
+}
 
 int OrderedFile::failure() const { return static_cast<const Driver*>(driver_)->failure; }
 

@@ -31,6 +31,12 @@ class OrderedFile {
   /// errno of the first write that failed; 0 where none has.
   int failure() const;
 
+  /// Whether `path` still leads to this file: somebody may have removed or replaced it.
+  bool lies_at(const std::string& path) const;
+
+  /// Writes what the file has to a new one, `path`. False where that fails, or it is there already.
+  bool copy_to(const std::string& path) const;
+
  private:
   void* driver_ = nullptr;
 };

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "common/wire_words.hpp"
+
 namespace cosurge {
 namespace {
 
@@ -67,6 +69,7 @@ void Progress::window(const Window& window, const Reports& reports, const std::v
   }
   if (reports.size() > 1) line += coupling_text(coupling);
   line += fmt::format("  {:.1f} ms/window  {} left", 1e3 * each, clock_text(elapsed * (end_ - time) / time));
+  line = printable(line);
   std::fputs((terminal_ ? "\r\x1b[K" + line : line + "\n").c_str(), out_);
   std::fflush(out_);
 }
@@ -75,7 +78,7 @@ void Progress::window(const Window& window, const Reports& reports, const std::v
 void Progress::tell_notes(const Reports& reports) {
   for (const Report& report : reports)
     for (const std::string& note : report.notes)
-      std::fputs((terminal_ ? "\r\x1b[K" + note + "\n" : note + "\n").c_str(), out_);
+      std::fputs(((terminal_ ? "\r\x1b[K" : "") + printable(note) + "\n").c_str(), out_);
 }
 
 /// What passes through the interface, and how hard it is to couple.

@@ -52,6 +52,9 @@ class Recorder : public Observer {
 
   void flush();
 
+  /// Gives the HDF5 file another name, in place of one that may be there.
+  void move(const std::filesystem::path& results) { file_.move(results); }
+
   // What the summary tells.
   const v1::Case& the_case() const { return case_; }
   const std::vector<Member>& members() const { return members_; }

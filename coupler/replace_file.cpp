@@ -29,7 +29,9 @@ bool reaches_disk(int file) { return ::fsync(file) == 0 || errno == EINVAL; }
 void replace_file(const std::filesystem::path& path, std::initializer_list<std::string_view> parts) {
   const std::filesystem::path fresh = path.string() + ".new";
   const auto reason = [](int cause) { return std::generic_category().message(cause); };
-  const int file = ::open(fresh.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  // One that was cut off is removed; written anew, it cannot be a link to another file.
+  ::unlink(fresh.c_str());
+  const int file = ::open(fresh.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   const int refused = errno;
   require(file >= 0, "{}: cannot be written: {}", fresh.string(), reason(refused));
   bool written = true;

@@ -158,11 +158,35 @@ void ResultFile::append(const std::string& name, const Array& frame) {
   });
 }
 
+void ResultFile::move(const std::filesystem::path& path) {
+  std::error_code failed;
+  std::filesystem::rename(path_, path, failed);
+  require(!failed, "{}: cannot be renamed to {}: {}", path_, path.string(), failed.message());
+  path_ = path.string();
+}
+
 void ResultFile::flush() {
   attempt("cannot be flushed", [&] {
     file_.flush(H5F_SCOPE_GLOBAL);
     order_->commit();
   });
+  require_place();
+}
+
+/// What is written to a file without a name is lost with the end of the program.
+void ResultFile::require_place() {
+  if (displaced_.empty() && !order_->lies_at(path_)) {
+    displaced_ = order_->copy_to(path_)
+                     ? fmt::format(
+                           "{}: was removed during the run; all that was recorded is there again, and the "
+                           "run can be resumed",
+                           path_)
+                     : fmt::format(
+                           "{}: was removed or replaced during the run, and cannot be written again: what "
+                           "was recorded is lost; run the case again with another --out",
+                           path_);
+  }
+  require(displaced_.empty(), "{}", displaced_);
 }
 
 }  // namespace cosurge

@@ -49,10 +49,15 @@ class ResultFile {
   /// Frames x particles (x components, for vectors), as float32. The first frame sets the lengths.
   void append(const std::string& name, const Array& frame);
 
-  /// Afterwards all is on the disk, also where the machine fails.
+  /// Gives it another name, in place of a file that may be there.
+  void move(const std::filesystem::path& path);
+
+  /// Afterwards all is on the disk, also where the machine fails. Where somebody has removed the file
+  /// meanwhile, it is written again under its name, and the call throws: from then on nothing can be added.
   void flush();
 
  private:
+  void require_place();
   template <typename Action>
   void attempt(const std::string& doing, Action action);
   H5::DataSet create(const std::string& name, const std::string& unit, const H5::DataType& type,
@@ -62,6 +67,7 @@ class ResultFile {
   std::string path_;
   H5::H5File file_;
   std::optional<OrderedFile> order_;
+  std::string displaced_;  // what has become of the file; empty: it is where it was made
   std::map<std::string, H5::DataSet> growing_;
 };
 

@@ -22,11 +22,14 @@ bool make(const fs::path& folder) {
   return made;
 }
 
+/// Also by a link to a file that is not there: what is written to it would appear elsewhere.
+bool is_taken(const fs::path& path) { return fs::exists(fs::symlink_status(path)); }
+
 bool holds_a_run(const fs::path& folder) {
-  for (const char* name : {"results.h5", "results.h5.new", "summary.json", "checkpoint", "checkpoint.old",
-                           "fluid_solver.log", "solid_solver.log"})
-    if (fs::exists(folder / name)) return true;
-  return false;
+  for (const char* name : {"results.h5", "results.xdmf", "summary.json", "checkpoint", "checkpoint.old"})
+    for (const char* state : {"", ".new"})
+      if (is_taken(folder / (std::string(name) + state))) return true;
+  return is_taken(folder / "fluid_solver.log") || is_taken(folder / "solid_solver.log");
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include "coupler/recorder.hpp"
 #include "coupler/result_folder.hpp"
 #include "coupler/resumption.hpp"
+#include "coupler/run_folder.hpp"
 #include "coupler/say.hpp"
 
 namespace cosurge {
@@ -71,9 +72,7 @@ class Solvers {
     if (the_case.has_fluid()) fluid_.emplace(start(options, Role::fluid, sockets_.path(), folder));
     if (the_case.has_solid()) solid_.emplace(start(options, Role::solid, sockets_.path(), folder));
     for (auto* solver : {&fluid_, &solid_})
-      if (*solver)
-        (*solver)->join(the_case.dimension(), {"save", "frame"},
-                        [this] { return joined_ ? overdue() : interrupted(); });
+      if (*solver) (*solver)->join(the_case.dimension(), {"save", "frame"}, [this] { return cancelled(); });
     joined_ = true;
   }
 
@@ -107,6 +106,14 @@ class Solvers {
   bool left_behind() const { return left_behind_; }
 
  private:
+  /// Asked while a solver is waited for.
+  bool cancelled() {
+    if (joined_) return overdue();
+    for (auto* solver : {&fluid_, &solid_})
+      if (*solver) (*solver)->turn_away_strangers();
+    return interrupted();
+  }
+
   RunFolder sockets_;
   std::optional<Solver> fluid_;
   std::optional<Solver> solid_;
@@ -137,7 +144,7 @@ std::unique_ptr<Recorder> make_recorder(const Job& job, const Coupler& coupler) 
     recorder = make(fresh.filename());
     replay(results, job.resumption->checkpoint, *recorder);
     recorder->flush();  // also the rows after the last frame: from here on the old file is gone
-    fs::rename(fresh, results);
+    recorder->move(results);
   } catch (...) {
     recorder.reset();
     std::error_code none;

@@ -5,12 +5,15 @@
 
 #include <cstdio>
 
+#include "common/wire_words.hpp"
+
 namespace cosurge {
 
-/// Writes to the standard output, at once. Whether anybody still reads it does not matter to a run.
+/// Writes to the standard output, at once, without control characters: words of cases and solvers may be in
+/// it. Whether anybody still reads it does not matter to a run.
 template <typename... Args>
 void say(fmt::format_string<Args...> message, Args&&... args) {
-  std::fputs(fmt::format(message, std::forward<Args>(args)...).c_str(), stdout);
+  std::fputs(printable(fmt::format(message, std::forward<Args>(args)...)).c_str(), stdout);
   std::fflush(stdout);
 }
 

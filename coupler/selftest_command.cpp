@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "common/solvers.hpp"
+#include "coupler/say.hpp"
 #include "coupler/swing.hpp"
 
 namespace cosurge {
@@ -80,7 +81,7 @@ Outcome run(double mass, v1::Coupling::Scheme scheme) {
 }
 
 bool report(bool ok, const std::string& text) {
-  fmt::print("{}  {}\n", ok ? "ok    " : "FAILED", text);
+  say("{}  {}\n", ok ? "ok    " : "FAILED", text);
   std::fflush(stdout);
   return ok;
 }

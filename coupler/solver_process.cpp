@@ -55,7 +55,7 @@ struct Start {
 
 /// Between fork and exec; nothing that takes a lock is allowed here, since other threads may have held it.
 [[noreturn]] void become(const Start& start) {
-  prctl(PR_SET_PDEATHSIG, SIGTERM);
+  prctl(PR_SET_PDEATHSIG, SIGKILL);         // a stopped process would keep any other signal waiting
   if (getppid() != start.parent) _exit(1);  // it died before the line above
   // Signals to the terminal's whole group: the coupler ends the solvers in order.
   for (const int number : {SIGINT, SIGHUP, SIGUSR1, SIGUSR2}) signal(number, SIG_IGN);
@@ -74,9 +74,10 @@ void require_call(bool ok, int error, const std::string& subject, const char* wh
   require(ok, "{}: {}: {}", subject, what, std::strerror(error));
 }
 
-/// The last line of a log, where it has one.
-std::string last_line(const std::filesystem::path& log) {
+/// The last line that a log has behind `begin`, where it has one.
+std::string last_line(const std::filesystem::path& log, std::uintmax_t begin) {
   std::ifstream file(log);
+  file.seekg(static_cast<std::streamoff>(begin));
   std::string last;
   for (std::string line; std::getline(file, line);) {
     if (!line.empty()) last = line;
@@ -96,8 +97,10 @@ SolverProcess::SolverProcess(const Command& command) : log_(command.log) {
   std::vector<std::string> settings = passive_environment();
   std::vector<char*> arguments = pointers(words);
   std::vector<char*> environment = pointers(settings);
-  const int log = open(command.log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  // A resumption keeps what earlier parts of the run have said. No link leads it to another file.
+  const int log = open(command.log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_NOFOLLOW | O_CLOEXEC, 0644);
   require_call(log >= 0, errno, command.log.native(), "cannot be written");
+  log_begin_ = std::filesystem::file_size(log_);
   const std::string nothing = "/dev/null";
   const int input = open(nothing.c_str(), O_RDONLY | O_CLOEXEC);
   require_call(input >= 0, errno, nothing, "cannot be read");
@@ -130,7 +133,7 @@ std::optional<std::string> SolverProcess::ended() {
   } else {
     words = fmt::format("it has ended with exit code {}", WEXITSTATUS(*status_));
   }
-  const std::string line = *status_ == 0 ? "" : last_line(log_);
+  const std::string line = *status_ == 0 ? "" : last_line(log_, log_begin_);
   return line.empty() ? words : fmt::format("{}; the last line of {}: {}", words, log_.string(), line);
 }
 

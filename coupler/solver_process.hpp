@@ -15,7 +15,7 @@ namespace cosurge {
 struct Command {
   std::filesystem::path program;
   std::vector<std::string> arguments;
-  std::filesystem::path log;  ///< what the program prints goes here
+  std::filesystem::path log;  ///< what the program prints is added to it
 };
 
 /// Path of a program that lies in the same folder as the running one.
@@ -54,7 +54,8 @@ class SolverProcess {
 
   pid_t pid_ = -1;
   std::filesystem::path log_;
-  std::optional<int> status_;  // as of waitpid
+  std::uintmax_t log_begin_ = 0;  // of what this child says in it
+  std::optional<int> status_;     // as of waitpid
 };
 
 }  // namespace cosurge

@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "common/error.hpp"
+#include "common/wire_words.hpp"
 
 namespace cosurge {
 namespace {
@@ -29,7 +30,7 @@ pid_t start(std::size_t k, const std::function<void(std::size_t)>& work) {
     work(k);
     status = 0;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    fmt::print(stderr, "{}\n", printable(error.what()));
   }
   _exit(status);
 }

@@ -12,6 +12,24 @@ const char* topology(int corners) {
   return corners == 4 ? "Quadrilateral" : corners == 8 ? "Hexahedron" : "Polyvertex";
 }
 
+/// A name of somebody's choice, as it may stand in XML.
+std::string escaped(const std::string& name) {
+  std::string text;
+  for (const char c : name) {
+    if (c == '&')
+      text += "&amp;";
+    else if (c == '<')
+      text += "&lt;";
+    else if (c == '>')
+      text += "&gt;";
+    else if (c == '"')
+      text += "&quot;";
+    else
+      text += c;
+  }
+  return text;
+}
+
 /// One cloud at one instant: writes the elements of its grid.
 class Grid {
  public:
@@ -40,8 +58,8 @@ class Grid {
  private:
   void attribute(const XdmfArray& array) {
     const bool vector = array.components == 2 || array.components == 3;
-    fmt::format_to(out_, "    <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"Node\">\n", array.name,
-                   vector ? "Vector" : (array.components == 1 ? "Scalar" : "Matrix"));
+    fmt::format_to(out_, "    <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"Node\">\n",
+                   escaped(array.name), vector ? "Vector" : (array.components == 1 ? "Scalar" : "Matrix"));
     values(array);
     fmt::format_to(out_, "    </Attribute>\n");
   }
@@ -56,7 +74,7 @@ class Grid {
     fmt::format_to(out_,
                    "     <DataItem Dimensions=\"{0}\" NumberType=\"Float\" Precision=\"4\" "
                    "Format=\"HDF\">{1}:{2}|{3} 0{4}:1 1{5}:1 {0}:{6} {0}</DataItem>\n",
-                   size, file_, array.place, frame_, rest, one, frames_);
+                   size, file_, escaped(array.place), frame_, rest, one, frames_);
   }
 
   std::back_insert_iterator<std::string> out_;

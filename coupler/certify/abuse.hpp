@@ -6,6 +6,7 @@
 #include "common/channel.hpp"
 #include "coupler/certify/scene.hpp"
 #include "coupler/launcher.hpp"
+#include "coupler/run_folder.hpp"
 #include "coupler/solver_process.hpp"
 
 namespace cosurge::certify {

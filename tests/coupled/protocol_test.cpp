@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "coupler/launcher.hpp"
+#include "coupler/run_folder.hpp"
 #include "tests/support/mock_participant.hpp"
 #include "tests/support/scratch_folder.hpp"
 

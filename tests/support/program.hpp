@@ -83,6 +83,15 @@ class Program {
   int status_ = -1;
 };
 
+/// Whether a process has not ended; one that nobody has asked about its end has.
+inline bool lives(pid_t process) {
+  std::ifstream stat("/proc/" + std::to_string(process) + "/stat");
+  pid_t pid = 0;
+  std::string program;
+  std::string state;
+  return stat >> pid >> program >> state && state != "Z" && state != "X";
+}
+
 /// Processes whose parent is `parent`, with the program's name as the system has it.
 inline std::vector<std::pair<pid_t, std::string>> children_of(pid_t parent) {
   std::vector<std::pair<pid_t, std::string>> children;

@@ -81,6 +81,9 @@ TEST(MessageParts, AreAskedForByEveryChannel) {
 TEST(WireWords, HaveNoControlCharactersAndAnEnd) {
   EXPECT_EQ(printable("red \x1b[31m\a\n", 100), "red ?[31m?\n");
   EXPECT_EQ(printable("abcdef", 3), "abc...");
+  EXPECT_EQ(printable("\xc2\x9b"
+                      "31m is red to some terminals, \xc2\xb5 is not"),
+            "?31m is red to some terminals, \xc2\xb5 is not");
   EXPECT_NO_THROW(require_name("tip_x", "column"));
   for (const std::string& bad :
        {std::string(), std::string("a/b"), std::string(".."), std::string(101, 'x'), std::string("a\nb")})

@@ -123,6 +123,30 @@ TEST(Strangers, WhoSayThatMuchComesAreCutOff) {
   EXPECT_LT(stranger.send(header + std::string(most, 'x')), std::size_t{32} << 20);
 }
 
+// Each within the limit of a message: together they would take all memory.
+TEST(Strangers, WhoSendMuchWithoutAKeyAreCutOff) {
+  Channel coupler = Channel::listen("tcp://127.0.0.1:*", {.peer = "b", .patience = 60});
+  v1::Request received;
+  std::thread waits([&] { coupler.receive(received, "a message"); });
+  const std::string header = "\x06" + std::string(4, '\0') + "\x0f" + std::string(3, '\0');  // 240 MiB follow
+  const std::size_t most = std::size_t{100} << 20;
+  std::atomic<std::size_t> sent = 0;
+  std::vector<std::thread> senders;
+  for (int k = 0; k < 8; ++k)
+    senders.emplace_back([&] {
+      Stranger stranger(coupler, milliseconds(2000));
+      stranger.send(curve_greeting());
+      std::this_thread::sleep_for(milliseconds(200));
+      sent += stranger.send(header + std::string(most, 'x'));
+    });
+  for (std::thread& sender : senders) sender.join();
+  EXPECT_LT(sent, std::size_t{200} << 20);  // buffers of the system included
+  Channel solver = solver_of(coupler);
+  solver.send(words("I am one"));
+  waits.join();
+  EXPECT_EQ(received.abort().reason(), "I am one");
+}
+
 TEST(Strangers, WhoSayNothingNeitherTakeAllFilesNorKeepTheSolverOut) {
   rlimit files{};
   getrlimit(RLIMIT_NOFILE, &files);
