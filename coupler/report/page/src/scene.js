@@ -129,7 +129,7 @@ export class Scene {
     this.particles(run, member).draw(this.camera, run.around(this.time), {
       quantity, plain, scale: [0, this.topOf(member)], alpha: first ? 1 : 0.5,
       colors: member === "solid" && settings.solid === "von_mises" ? scales.stress : settings[member] === "speed" ? scales.speed : scales.viridis,
-      size: (member === "solid" ? 1.12 : 1.3 * thinned) * spacing * this.camera.pixelsAMetre() * this.ratio * (first ? 1 : 0.7),
+      size: (member === "solid" ? 1.12 : (this.dimension === 2 ? 1.5 : 1.3) * thinned) * spacing * this.camera.pixelsAMetre() * this.ratio * (first ? 1 : 0.7),
       square: member === "solid" && this.dimension === 2, shaded: this.dimension === 3, walls: settings.walls && first,
       exaggeration: member === "solid" ? settings.exaggeration : 1});
   }
