@@ -34,6 +34,13 @@ std::vector<std::string> quantities_of(const FrameSource& source) {
   return names;
 }
 
+/// One of `every` particles, without the rows and planes that every tenth of a lattice would make: multiples
+/// of the golden ratio are spread evenly (Knuth, The Art of Computer Programming 3, section 6.4).
+bool is_kept(std::uint32_t number, std::size_t every) {
+  constexpr std::uint32_t golden = 2654435769;  // of 2^32
+  return std::uint64_t{number * golden} * every < (std::uint64_t{1} << 32);
+}
+
 Cast fluid_cast(const v1::Case& the_case, const FrameSource& fluid, std::size_t every) {
   Cast cast{.member = "fluid",
             .particles = {},
@@ -41,11 +48,11 @@ Cast fluid_cast(const v1::Case& the_case, const FrameSource& fluid, std::size_t 
             .quantities = quantities_of(fluid)};
   const std::vector<float> kind = kinds_of(fluid), position = fluid.read("position", 0);
   const int dimension = the_case.dimension();
-  std::size_t seen = 0;
+  std::uint32_t seen = 0;
   for (std::size_t k = 0; k < kind.size(); ++k) {
     const int is = static_cast<int>(kind[k]);
     const float* x = position.data() + k * static_cast<std::size_t>(dimension);
-    if (is == water && seen++ % every == 0) cast.particles.push_back(k);
+    if (is == water && is_kept(seen++, every)) cast.particles.push_back(k);
     if (is == wall && (dimension == 2 || in_tank(the_case.fluid().tank(), x, dimension)))
       cast.particles.push_back(k);
     if (is == dummy && dimension == 2) cast.particles.push_back(k);

@@ -129,6 +129,8 @@ int watch_command(const WatchOptions& options) {
           options.port, this_machine);
   note_interruptions();
   std::thread serving([&] { server.listen_after_bind(); });
+  while (!server.is_running())
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));  // else stop() is lost
   say("watch: http://{}:{}/{}/\nopen it in a browser of this machine; Ctrl-C ends it, and not the run\n",
       this_machine, port, word);
   while (!interrupted()) std::this_thread::sleep_for(std::chrono::milliseconds(50));

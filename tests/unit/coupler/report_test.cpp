@@ -5,6 +5,7 @@
 #include <fstream>
 #include <limits>
 #include <numbers>
+#include <set>
 
 #include "coupler/report/case_table.hpp"
 #include "coupler/report/outlines.hpp"
@@ -336,6 +337,33 @@ TEST(Scene, ShowsFewerFramesBeforeFewerParticles) {
   EXPECT_GT(few.every_particle, 1U);
   EXPECT_LT(few.casts[0].particles.size(), Turning::count);
   EXPECT_EQ(few.casts[1].particles.size(), Turning::count) << "the structure stays whole";
+}
+
+/// 16 x 16 particles of water at rest on a lattice.
+class Lattice : public FrameSource {
+ public:
+  Lattice()
+      : FrameSource({{.name = "position", .unit = "m", .frames = 1, .particles = 256, .components = 2},
+                     {.name = "kind", .unit = "-", .frames = 1, .particles = 256}}) {}
+
+ private:
+  std::vector<float> values(const FrameArray& array, std::size_t) const override {
+    if (array.name == "kind") return std::vector<float>(256, 0);
+    std::vector<float> x;
+    for (int k = 0; k < 256; ++k) x.insert(x.end(), {float(k % 16), float(k / 16)});
+    return x;
+  }
+};
+
+TEST(Scene, ThinsOutALatticeEvenly) {
+  v1::Case c = probed_case();
+  c.mutable_fluid()->set_spacing(1);
+  const SceneChoice choice = choose(c, Lattice(), SnapshotFrames({}, "solid"), 100, 0.022);
+  ASSERT_EQ(choice.every_particle, 8U) << "the test wants a divisor of the 16 columns";
+  std::set<std::size_t> columns;
+  for (const std::size_t particle : choice.casts[0].particles) columns.insert(particle % 16);
+  EXPECT_NEAR(double(choice.casts[0].particles.size()), 256.0 / 8, 2);
+  EXPECT_GT(columns.size(), 12U);  // every eighth particle would have two
 }
 
 }  // namespace

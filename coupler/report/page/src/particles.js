@@ -46,7 +46,7 @@ out vec4 result;
 void main() {
   vec2 p = 2.0 * gl_PointCoord - 1.0;
   float r = dot(p, p);
-  bool whole = square > 0.5 || pixels < 9.0;  // a disc of so few pixels is a square
+  bool whole = square > 0.5 || (shaded < 0.5 && pixels < 9.0);  // a disc of so few pixels is a square
   if (!whole && r > 1.0) discard;
   float light = shaded > 0.5 ? 0.55 + 0.45 * sqrt(max(0.0, 1.0 - r)) * (0.8 - 0.2 * p.y) / 0.9 : 1.0;
   float edge = whole || shaded > 0.5 ? 1.0 : 1.0 - smoothstep(0.75, 1.0, r);

@@ -16,12 +16,16 @@ function most(values, share) {
   return [at(share), at(1 - share)];
 }
 
+/** Up to `most` numbers below `count`, spread over all rows and columns of a lattice: 7919 is a prime. */
+function* spread(count, most) {
+  for (let k = 0; k < Math.min(count, most); ++k) yield count <= most ? k : k * 7919 % count;
+}
+
 /** Coordinates along an axis of particles that are not walls, of all frames: some of them. */
 function sampled(frames, axis) {
   const values = [], there = frames.filter(Boolean);
   for (const {chunk, position, kind} of there) {
-    const step = 1 + Math.floor(chunk.particles * there.length / 200000);
-    for (let k = 0; k < chunk.particles; k += step)
+    for (const k of spread(chunk.particles, Math.max(200, 200000 / there.length)))
       if (!kind?.[k]) values.push(chunk.origin[axis] + chunk.step * position[k * chunk.components + axis]);
   }
   return values;
@@ -100,7 +104,7 @@ export class Scene {
         const q = this.quantityOf(member, frame);
         if (q < 0) continue;
         const bytes = frame.quantities[q];
-        for (let k = 0; k < bytes.length; k += 1 + Math.floor(bytes.length / 500)) {
+        for (const k of spread(bytes.length, 500)) {
           const v = frame.kind && frame.kind[k] > 0 ? 0 : valueOf(frame.chunk.quantities[q], bytes[k]);
           if (v > 0) values.push(v);
         }
@@ -129,7 +133,7 @@ export class Scene {
     this.particles(run, member).draw(this.camera, run.around(this.time), {
       quantity, plain, scale: [0, this.topOf(member)], alpha: first ? 1 : 0.5,
       colors: member === "solid" && settings.solid === "von_mises" ? scales.stress : settings[member] === "speed" ? scales.speed : scales.viridis,
-      size: (member === "solid" ? 1.12 : 1.3 * thinned) * spacing * this.camera.pixelsAMetre() * this.ratio * (first ? 1 : 0.7),
+      size: (member === "solid" ? 1.12 : (this.dimension === 2 ? 1.5 : 1.3) * thinned) * spacing * this.camera.pixelsAMetre() * this.ratio * (first ? 1 : 0.7),
       square: member === "solid" && this.dimension === 2, shaded: this.dimension === 3, walls: settings.walls && first,
       exaggeration: member === "solid" ? settings.exaggeration : 1});
   }
