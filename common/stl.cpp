@@ -34,6 +34,9 @@ std::vector<double> read_binary(const std::string& bytes, const std::string& fil
   const std::size_t count = triangles_of_binary(bytes);
   require(bytes.size() >= before_triangles, "{}: is neither a text nor a binary STL", file);
   const std::size_t whole = (bytes.size() - before_triangles) / bytes_a_triangle;
+  const std::size_t behind = bytes.size() - before_triangles - std::min(count, whole) * bytes_a_triangle;
+  require(behind < bytes_a_triangle || behind % bytes_a_triangle != 0,
+          "{}: its header counts {} triangles, and there are {}", file, count, whole);
   require(count <= whole, "{}: is cut off, or no STL: it has {} of {} triangles", file, whole, count);
   std::vector<double> corners;
   for (std::size_t k = 0; k < count; ++k) {
@@ -59,7 +62,7 @@ class Text {
       } else if (word == "facet") {
         triangle();
       } else {
-        refuse("\"" + word + "\" in place of facet or endsolid");
+        refuse("\"" + clipped(word) + "\" in place of facet or endsolid");
       }
     }
     return std::move(corners_);
@@ -96,7 +99,7 @@ class Text {
     const std::string word = next();
     if (word != wanted)
       refuse(word.empty() ? "the file ends within a triangle"
-                          : fmt::format("\"{}\" in place of {}", word, wanted));
+                          : fmt::format("\"{}\" in place of {}", clipped(word), wanted));
   }
 
   double number() {
@@ -106,7 +109,7 @@ class Text {
     const auto [stop, error] = std::from_chars(plain.data(), plain.data() + plain.size(), value);
     if (word.empty()) refuse("the file ends within a triangle");
     if (stop != plain.data() + plain.size() || error == std::errc::invalid_argument)
-      refuse(fmt::format("\"{}\" in place of a coordinate (numbers have a decimal point)", word));
+      refuse(fmt::format("\"{}\" in place of a coordinate (numbers have a decimal point)", clipped(word)));
     return error == std::errc::result_out_of_range ? std::strtod(plain.c_str(), nullptr) : value;
   }
 

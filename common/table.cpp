@@ -214,7 +214,7 @@ class Reader {
   static std::string names(const std::vector<TableColumn>& given) {
     std::vector<std::string> all;
     for (const TableColumn& column : given) all.push_back(column.name);
-    return fmt::format("{}", fmt::join(all, ", "));
+    return clipped(fmt::format("{}", fmt::join(all, ", ")), 200);
   }
 
   void check_unit(const Line& line, const TableColumn& given, const TableColumn& wanted) const {
@@ -224,7 +224,7 @@ class Reader {
     const bool bare = std::find(units.begin(), units.end(), given.name) != units.end() && given.unit.empty();
     const std::string unit = bare && !same_name(given.name, wanted.name) ? given.name : given.unit;
     if (!unit.empty() && !wanted.unit.empty() && !same_unit(unit, wanted.unit))
-      refuse(line, "{} is in {}, must be in {}", wanted.name, unit, wanted.unit);
+      refuse(line, "{} is in {}, must be in {}", wanted.name, clipped(unit), wanted.unit);
   }
 
   /// Decimal commas need one number that cannot be anything else.
@@ -273,15 +273,15 @@ class Reader {
     const bool comma = cell.text.find(',') != std::string::npos;
     const char* remedy = "write numbers with a decimal point, or part them by semicolons";
     if (comma && !may_have_comma(line, cell))
-      refuse(line, "{}; \"{}\" has a comma, and {} part the numbers: {}", expected(), cell.text,
+      refuse(line, "{}; \"{}\" has a comma, and {} part the numbers: {}", expected(), clipped(cell.text),
              line.separator == '\t' ? "tabs" : "blanks", remedy);
     if (line.separator == ',' && has_needless_zero(cell.text))
       refuse(line, "{}; \"{}\" looks like the end of a number with a decimal comma: {}", expected(),
-             cell.text, remedy);
+             clipped(cell.text), remedy);
     const auto read = number(comma ? with_point(cell.text) : cell.text);
     if (!read && cell.text.empty()) refuse(line, "{}; one is missing", expected());
-    if (!read) refuse(line, "{}; \"{}\" is none", expected(), cell.text);
-    if (!std::isfinite(*read)) refuse(line, "{}; {} is not finite", expected(), cell.text);
+    if (!read) refuse(line, "{}; \"{}\" is none", expected(), clipped(cell.text));
+    if (!std::isfinite(*read)) refuse(line, "{}; {} is not finite", expected(), clipped(cell.text));
     return *read;
   }
 

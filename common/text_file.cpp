@@ -47,4 +47,8 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
+std::string clipped(const std::string& text, std::size_t most) {
+  return text.size() <= most ? text : text.substr(0, most) + "...";
+}
+
 }  // namespace cosurge

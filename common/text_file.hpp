@@ -17,4 +17,7 @@ std::string without_byte_order_mark(std::string bytes, const std::filesystem::pa
 /// The lines of a text without their ends: LF, CR LF, or CR.
 std::vector<std::string> lines_of(const std::string& text);
 
+/// The first characters of a text, for a message that quotes it.
+std::string clipped(const std::string& text, std::size_t most = 40);
+
 }  // namespace cosurge

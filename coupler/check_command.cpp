@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "common/case_doubts.hpp"
 #include "common/case_file.hpp"
 #include "common/error.hpp"
 #include "common/shape.hpp"
@@ -61,6 +62,7 @@ void check_command(const std::string& case_path, const std::vector<std::string>&
                    const std::string& picture) {
   if (!picture.empty()) require_picture_file(picture);
   const v1::Case the_case = load_case(case_path, overrides);
+  for (const std::string& doubt : doubts(the_case)) say("warning: {}\n", doubt);
   say("{}: the case file is valid; setting up the solvers ...\n", the_case.title());
   const auto fluid = the_case.has_fluid() ? make_fluid_solver() : nullptr;
   const auto solid = the_case.has_solid() ? make_solid_solver() : nullptr;

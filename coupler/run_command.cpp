@@ -6,6 +6,7 @@
 #include <sstream>
 #include <thread>
 
+#include "common/case_doubts.hpp"
 #include "common/case_file.hpp"
 #include "common/error.hpp"
 #include "common/solvers.hpp"
@@ -224,6 +225,7 @@ int launch(const RunOptions& options, const Job& job) {
 
 int run_command(const RunOptions& options) {
   const v1::Case the_case = load_case(options.case_path, options.overrides);
+  for (const std::string& doubt : doubts(the_case)) say("warning: {}\n", doubt);
   const ResultFolder folder(options.case_path, options.out);
   return launch(options, {.the_case = the_case,
                           .folder = folder.path(),

@@ -95,7 +95,8 @@ class SolidModel {
   virtual double max_speed() const = 0;  ///< [m/s] of the nodes
   virtual Energies energies() const = 0;
 
-  /// The lowest modes, at most `count` of each body, where the model knows them; none for others.
+  /// The lowest modes, at most `count` of each body, where the model knows them, as they would answer a load
+  /// now, seen from what carries the bodies; none for others.
   virtual std::vector<NodalMode> modes(int /*count*/) const { return {}; }
 
   /// Quantities of this model alone, reported after every window.

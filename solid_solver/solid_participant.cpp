@@ -12,7 +12,6 @@
 #include "solid_solver/carried_model.hpp"
 #include "solid_solver/contact/contact_model.hpp"
 #include "solid_solver/models/make_model.hpp"
-#include "solid_solver/oscillator.hpp"
 
 namespace cosurge {
 namespace {
@@ -48,7 +47,7 @@ Setup SolidParticipant::initialize(const v1::Case& the_case, Interface& interfac
   const auto scheme = the_case.coupling().scheme();
   if (scheme == v1::Coupling::weak_inertial || scheme == v1::Coupling::strong_inertial ||
       scheme == v1::Coupling::auto_)
-    find_modes(the_case, interface);
+    modes_.emplace(the_case, interface, *model_, the_case.coupling().modes());
 
   const Surface loaded = surface;
   surface = Surface::at_rest(dimension_, interface.points());
@@ -78,33 +77,11 @@ void SolidParticipant::place_probes(const v1::Case& the_case) {
   probes_.H = model_->interpolation(Eigen::Map<const Field>(positions.data(), dimension_, count), bodies);
 }
 
-/// Those of the model, or of finite elements in its place where it does not know them.
-void SolidParticipant::find_modes(const v1::Case& the_case, const Interface& interface) {
-  const int count = the_case.coupling().modes();
-  const auto keep = [&](const SolidModel& model) {
-    const Interpolation H = model.interpolation(interface.position, interface.body);
-    for (const NodalMode& mode : model.modes(count))
-      modes_.push_back({mode.shape * H.transpose(), mode.mass, mode.omega_squared});
-  };
-  keep(*model_);
-  if (!modes_.empty() || the_case.solid().model() == v1::SolidModel::rigid) return;
-  v1::Case elements = the_case;
-  elements.mutable_solid()->set_model(v1::SolidModel::modal);
-  elements.mutable_solid()->mutable_modal()->set_modes(count);
-  keep(*make_model(elements));
-}
-
-/// By eq. (20): how each mode answers a load over the window, under a load as the points have it now.
-std::vector<Mode> SolidParticipant::modes(const Field& force, double window) const {
-  std::vector<Mode> answer;
-  for (const PointMode& mode : modes_) {
-    const std::array<double, 5> c = stumpff(mode.omega_squared * window * window);
-    const std::size_t order = 1 + (end_velocity_ ? 0 : 1) + (ramped_ ? 1 : 0);
-    answer.push_back({.shape = mode.shape,
-                      .mobility = window * c[order] / mode.mass,
-                      .load = mode.shape.cwiseProduct(force).sum()});
-  }
-  return answer;
+/// What the modes answer to the load of the window that the model has just gone through, motion in `surface`.
+std::vector<Mode> SolidParticipant::modes(const Window& window, const Surface& surface) const {
+  if (!modes_ || window.attempt != 1) return {};
+  const std::size_t order = 1 + (end_velocity_ ? 0 : 1) + (ramped_ ? 1 : 0);
+  return modes_->answers(*model_, window, H_, surface.displacement, surface.force, order);
 }
 
 Report SolidParticipant::advance(const Window& window, Surface& surface) {
@@ -127,7 +104,7 @@ Report SolidParticipant::advance(const Window& window, Surface& surface) {
   surface.velocity =
       end_velocity_ ? model_->velocity() * H_.transpose() : Field(increment * H_.transpose() / window.size);
   surface.ramp_increment = late * H_.transpose();
-  surface.modes = window.attempt == 1 ? modes(surface.force, window.size) : std::vector<Mode>{};
+  surface.modes = modes(window, surface);
   displacement_ = moved;
   load_ = new_load;
   clock_.leave();

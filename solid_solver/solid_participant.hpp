@@ -2,9 +2,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "common/participant.hpp"
 #include "common/phase_clock.hpp"
+#include "solid_solver/point_modes.hpp"
 #include "solid_solver/solid_model.hpp"
 
 namespace cosurge {
@@ -31,16 +33,8 @@ class SolidParticipant : public Participant {
   };
   enum Phase : std::size_t { mapping, substeps, phases };
 
-  /// A mode at the interface points.
-  struct PointMode {
-    Field shape;
-    double mass;
-    double omega_squared;
-  };
-
   void place_probes(const v1::Case& the_case);
-  void find_modes(const v1::Case& the_case, const Interface& interface);
-  std::vector<Mode> modes(const Field& force, double window) const;
+  std::vector<Mode> modes(const Window& window, const Surface& surface) const;
   std::vector<Column> columns() const;
   std::vector<double> values(int substeps_taken) const;
 
@@ -54,7 +48,7 @@ class SolidParticipant : public Participant {
   Field displacement_;         // of the nodes at the end of the last window
   Field load_;                 // on the nodes in the last window
   double interface_work_ = 0;  // of the loads on the nodes, since the start [J]
-  std::vector<PointMode> modes_;
+  std::optional<PointModes> modes_;
   std::string remembered_;  // state at the start of a window that may be gone through again
 
   PhaseClock<phases> clock_;

@@ -6,14 +6,14 @@
 
 #include "common/shape.hpp"
 #include "common/state_bytes.hpp"
-#include "solid_solver/models/sprung/turning.hpp"
+#include "solid_solver/models/sprung/revolution.hpp"
 #include "solid_solver/oscillator.hpp"
 #include "solid_solver/solid_model.hpp"
 
 namespace cosurge::sprung {
 
-/// Translations along the axes, and in the plane a rotation by any angle about a pivot, each with its spring
-/// and damper; motions without a spring in the case are held. Its nodes are the pivot and one point from
+/// Translations along the axes, and rotations by any angle about a pivot, each with its spring and damper;
+/// motions without a spring in the case are held. Its nodes are the pivot and one point from
 /// there along each axis: the rigid motion is affine between them, so that H is constant for large rotations
 /// too (docs/method_solid.md, section 8).
 template <int dim>
@@ -40,7 +40,7 @@ class SprungBody {
   /// M a [N]: of a rigid body, whose acceleration is as affine between the nodes as its motion.
   Field inertia(const Field& acceleration) const { return acceleration * nodal_mass_; }
 
-  /// Its free motions, about where it is drawn.
+  /// Its free motions, about where it is.
   std::vector<NodalMode> modes() const;
 
   Field displacement() const;  ///< [m]
@@ -59,10 +59,7 @@ class SprungBody {
     OscillatorState state;
   };
 
-  void free_motion(const v1::Spring& spring, double inertia, int index);
-  Nodal turned_arms() const;  // displacement of the nodes by the rotation alone
-  int turn(double window, const Nodal& first, const Nodal& last);
-  Couple couple(const Nodal& load) const;
+  void free_motion(const v1::Spring& spring, int index);
 
   Shape<dim> shape_;
   Vec<dim> pivot_, arm_to_centre_, gravity_;
@@ -71,7 +68,7 @@ class SprungBody {
   Eigen::Matrix<double, nodes, nodes>
       nodal_mass_;  // integral of the density times products of coefficients [kg]
   std::array<Translation, dim> translations_;
-  std::optional<Turning> turning_;
+  std::optional<Revolution<dim>> turning_;  // always there, once its inertia is known
   Nodal ramp_increment_ = Nodal::Zero();
 };
 

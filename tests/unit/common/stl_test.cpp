@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 #include <fstream>
 
@@ -81,6 +82,36 @@ std::string binary_of(const Triangles& triangles, const std::string& header = ""
     bytes.append(2, '\0');
   }
   return bytes;
+}
+
+/// With another number of triangles in the header.
+std::string counting(std::string bytes, std::uint32_t count) {
+  std::memcpy(bytes.data() + 80, &count, sizeof count);
+  return bytes;
+}
+
+Triangles magnified(Triangles triangles, double factor) {
+  for (auto& t : triangles)
+    for (double& x : t) x *= factor;
+  return triangles;
+}
+
+Triangles moved(Triangles triangles, double by) {
+  for (auto& t : triangles)
+    for (double& x : t) x += by;
+  return triangles;
+}
+
+/// Numbers such as 2.000000e-01.
+std::string with_exponents(const Triangles& triangles) {
+  std::string text = "solid box\n";
+  for (const auto& t : triangles) {
+    text += "facet normal 0 0 0\nouter loop\n";
+    for (std::size_t c = 0; c < 9; c += 3)
+      text += fmt::format("vertex {:.6e} {:+.6E} {:e}\n", t[c], t[c + 1], t[c + 2]);
+    text += "endloop\nendfacet\n";
+  }
+  return text + "endsolid box\n";
 }
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
@@ -174,6 +205,15 @@ const Kind kinds[] = {
     {"TurnedAboutY", text_of(box({-0.1, 0.04, 0.2}, {0, 0.1, 0.3})), block_sites, "rotate = [0, 90, 0]"},
     {"ScaledTurnedAndMoved", text_of(box({0, 0, 0}, {60, 100, 100})), block_sites,
      "scale = 0.001, rotate = [0, 0, 90], shift = [0.3, 0.04, 0]"},
+    {"Exponents", with_exponents(block), block_sites},
+    {"Tabs", replaced(text_of(block), "vertex ", "vertex\t"), block_sites},
+    {"WithoutEndsolid", text_of(block).substr(0, text_of(block).find("endsolid")), block_sites},
+    {"NameOfTheFormatsWords", text_of(block, "solid facet endsolid"), block_sites},
+    {"ColourInTheHeader", binary_of(block, "COLOR=abcd,MATERIAL=efgh"), block_sites},
+    {"TrianglesWithoutArea",
+     text_of(block + Triangles{{0.2, 0.04, 0, 0.2, 0.04, 0, 0.3, 0.04, 0},
+                               {0.2, 0.04, 0, 0.2, 0.04, 0, 0.2, 0.04, 0}}),
+     block_sites},
     {"GoingBelowTheFloor", text_of(box({0.2, 0.04, -0.04}, {0.3, 0.1, 0.1})), std::size_t{5 * 3 * 7}},
 };
 
@@ -212,6 +252,18 @@ const BadKind bad_kinds[] = {
     {"BinaryWithoutTriangles", binary_of({}), "shape.stl: has no triangles"},
     {"BinaryThatIsCutOff", binary_of(block).substr(0, 84 + 50 * 5 + 7),
      "shape.stl: is cut off, or no STL: it has 5 of 12 triangles"},
+    {"BinaryThatCountsTooFew", counting(binary_of(block), 5),
+     "shape.stl: its header counts 5 triangles, and there are 12"},
+    {"BinaryThatCountsTooMany", counting(binary_of(block), 13),
+     "shape.stl: is cut off, or no STL: it has 12 of 13 triangles"},
+    {"BinaryWithoutANumber", binary_of(magnified(block, std::nan(""))), "a corner of triangle 0 is nan"},
+    {"BinaryWithoutBounds", binary_of(magnified(block, 1e300)), "a corner of triangle 0 is inf"},
+    {"HugeCoordinates", text_of(magnified(block, 1e30)), "sites around it with fluid.spacing = 0.02 m"},
+    {"FarFromTheTank", text_of(moved(block, 1000)), shape_key + "lies outside fluid.tank"},
+    {"Utf16", "\xFF\xFEs", "shape.stl: is text in UTF-16; save it as UTF-8"},
+    {"AVeryLongWord", replaced(text_of(block), "0.04", std::string(100000, 'x')),
+     "\"" + std::string(40, 'x') + "...\" in place of a coordinate"},
+    {"AnotherFormat", "v 0 0 0\nv 1 0 0\nf 1 2 3\n", "shape.stl: is neither a text nor a binary STL"},
     {"TextThatIsCutOff", text_of(block).substr(0, 600), "shape.stl:"},
     {"DecimalCommas", replaced(text_of(block), "0.04", "0,04"), "\"0,04\" in place of a coordinate"},
     {"AQuadrilateral", replaced(text_of(block), "endloop", " vertex 0 0 0\nendloop"),

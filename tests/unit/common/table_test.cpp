@@ -75,6 +75,11 @@ const Form forms[] = {
     {"QuotedHeader", "\"time\",\"x\",\"angle\"\n0,0,0\n1.5,0.25,-0.125\n"},
     {"Exponents", "0e0,0E+00,0.0\n1.5E+00,25e-2,-1.25E-01\n"},
     {"Signs", "+0,-0,0\n+1.5,+0.25,-0.125\n"},
+    {"BlanksByTheMillion", "0,0,0\n1.5,0.25,-0.125" + std::string(1000000, ' ') + "\n"},
+    {"DigitsByTheThousand", "0,0,0\n1.5,0.25" + std::string(100000, '0') + ",-0.125\n"},
+    {"LinesEndTwice", "0,0,0\r\r\n1.5,0.25,-0.125\r\r\n"},
+    {"HeaderInLatin1", "Zeit;Weg;Dreh\xFCng\n0;0;0\n1,5;0,25;-0,125\n"},
+    {"HeaderBehindASign", "% time x angle\n0 0 0\n1.5 0.25 -0.125\n"},
     {"NumbersWithoutALeadingZero", "0,0,0\n1.5,.25,-.125\n"},
 };
 
@@ -118,6 +123,33 @@ const BadForm bad_forms[] = {
     {"Infinity", "0,0,0\n1,inf,0\n", "t.csv:2: " + numbers + "; inf is not finite"},
     {"Nan", "0,nan,0\n", "t.csv:1: " + numbers + "; nan is not finite"},
     {"TooLarge", "0,1e999,0\n", "t.csv:1: " + numbers + "; 1e999 is not finite"},
+    {"AVeryLongWord", "0,0,0\n" + std::string(100000, 'x') + ",0,0\n",
+     "t.csv:2: " + numbers + "; \"" + std::string(40, 'x') + "...\" is none"},
+    {"AMillionCells",
+     "0,0,0\n" +
+         [] {
+           std::string many;
+           for (int k = 0; k < 1000000; ++k) many += "1,";
+           return many;
+         }() +
+         "\n",
+     "t.csv:2: " + numbers + "; here are 1000000"},
+    {"AMinusOfTypography",
+     "0,0,0\n1,\xE2\x88\x92"
+     "0.05,0\n",
+     "t.csv:2: " + numbers},
+    {"ABlankThatDoesNotBreak",
+     "0,0,0\n1,\xC2\xA0"
+     "0.05,0\n",
+     "t.csv:2: " + numbers},
+    {"ExponentOfFortran", "0,0,0\n1,5.0D-02,0\n", "\"5.0D-02\" is none"},
+    {"Hexadecimal", "0,0,0\n1,0x1,0\n", "\"0x1\" is none"},
+    {"TimesOfDay", "00:00:01,0,0\n", "\"00:00:01\" is none"},
+    {"ANumberOfRows", "2\n0 0 0\n1 0 0\n", "t.csv:1: " + numbers + "; here are 1"},
+    {"ASecondHeader", "time,x,angle\n0,0,0\ntime,x,angle\n1,0,0\n", "t.csv:3: " + numbers},
+    {"AQuoteThatDoesNotEnd", "0,0,0\n1,\"0.05,0\n", "t.csv:2: " + numbers},
+    {"Bars", "0|0|0\n", "\"0|0|0\" is none"},
+    {"OtherTimes", "t [ms],x [m],angle [rad]\n0,0,0\n", "t.csv:1: time is in ms, must be in s"},
     {"TwoPoints", "0,1.2.3,0\n", "\"1.2.3\" is none"},
     {"AUnitBehindANumber", "0,5 mm,0\n", "\"5 mm\" is none"},
     {"Percent", "0,5%,0\n", "\"5%\" is none"},
