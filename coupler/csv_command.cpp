@@ -26,13 +26,10 @@ struct Series {
 
 Series read_series(const H5::Group& histories, const std::string& name) {
   const H5::DataSet dataset = histories.openDataSet(name);
-  Series series{.name = name, .unit = "", .values = std::vector<double>(extent(dataset).front())};
-  if (!series.values.empty()) dataset.read(series.values.data(), H5::PredType::NATIVE_DOUBLE);
-  if (dataset.attrExists("unit")) {
-    const H5::Attribute unit = dataset.openAttribute("unit");
-    unit.read(unit.getStrType(), series.unit);
-  }
-  return series;
+  const std::vector<hsize_t> size = extent(dataset);
+  return {.name = name,
+          .unit = dataset.attrExists("unit") ? text_of(dataset.openAttribute("unit")) : "",
+          .values = first_rows(dataset, size.empty() ? 0 : size[0])};
 }
 
 /// "time", "window", "coupling/force_x", ...: the two first, then by group and name.

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "common/error.hpp"
+#include "coupler/result_file.hpp"
 
 namespace cosurge {
 namespace {
@@ -12,11 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string attribute(const H5::H5File& file, const std::string& name) {
-  std::string text;
-  if (!file.attrExists(name)) return text;
-  const H5::Attribute found = file.openAttribute(name);
-  found.read(found.getStrType(), text);
-  return text;
+  return file.attrExists(name) ? text_of(file.openAttribute(name)) : "";
 }
 
 std::vector<std::string> lines_of(const std::string& text) {
