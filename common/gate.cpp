@@ -12,7 +12,9 @@ namespace cosurge {
 
 namespace {
 
-constexpr std::uint64_t most_of_a_handshake = 16384;  // [bytes]; CURVE's has 64 + 202 + 2000 at most
+// CURVE's handshake has 2.3 kB at most. A solver sends its Hello (64 KiB at most) and heartbeats after it.
+constexpr std::uint64_t most_of_a_stranger = std::uint64_t{128} << 10;  // [bytes]
+constexpr std::chrono::seconds time_of_handshake{5};  // after 3 s (line.cpp) ZeroMQ ends those without a key
 
 /// The local port of a TCP socket; 0 where it is none.
 in_port_t port_of(int descriptor) {
@@ -40,7 +42,7 @@ std::size_t Gate::most() {
 
 void Gate::came(int connection) {
   connections_.insert(connection);
-  strangers_.insert(connection);
+  strangers_[connection] = Clock::now();
   update();
 }
 
@@ -50,11 +52,16 @@ void Gate::left(int connection) {
   update();
 }
 
+bool Gate::has_strangers() {
+  std::erase_if(strangers_, [](const auto& one) { return Clock::now() - one.second > time_of_handshake; });
+  return !strangers_.empty();
+}
+
 /// ZeroMQ's thread may have closed one just now, and something else may have its number: hence the port.
-void Gate::cut_off() const {
-  if (descriptor_ < 0) return;
-  for (const int connection : strangers_)
-    if (port_of(connection) == port_of(descriptor_) && bytes_from(connection) > most_of_a_handshake)
+void Gate::cut_off() {
+  if (descriptor_ < 0 || !has_strangers()) return;
+  for (const auto& [connection, since] : strangers_)
+    if (port_of(connection) == port_of(descriptor_) && bytes_from(connection) > most_of_a_stranger)
       shutdown(connection, SHUT_RDWR);
 }
 

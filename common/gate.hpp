@@ -1,16 +1,18 @@
 // Who may still knock at a TCP port on which one solver is awaited.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
-#include <cstdint>
+#include <map>
 #include <set>
 
 namespace cosurge {
 
 /// Lets few connections wait for their handshake at a time, and none come once the gate is shut. A connection
 /// that comes to a closed gate gets no answer from the system; it succeeds by one of its repetitions where
-/// the gate opens again. A handshake has some hundred bytes: whoever sends many more without one is cut off,
-/// since ZeroMQ would keep as much as a message may have.
+/// the gate opens again. Whoever
+/// sends much more than a handshake without having shown the key is cut off: ZeroMQ would keep as much as a
+/// message may have.
 class Gate {
  public:
   /// Connections at a time: a quarter of the files that this process may open, 256 at most.
@@ -28,11 +30,11 @@ class Gate {
   /// The connection has shown its key.
   void trust(int connection) { strangers_.erase(connection); }
 
-  /// Whether any connection has not.
-  bool has_strangers() const { return !strangers_.empty(); }
+  /// Whether any connection is so young that it may not have shown its key.
+  bool has_strangers();
 
   /// Ends the connections of strangers that have sent too much. All news of connections must have been told.
-  void cut_off() const;
+  void cut_off();
 
   bool knows(int connection) const { return connections_.contains(connection); }
 
@@ -40,11 +42,14 @@ class Gate {
   void shut();
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   void update();
 
   int descriptor_ = -1;
   std::set<int> connections_;
-  std::set<int> strangers_;  // of these, the ones without a handshake
+  std::map<int, Clock::time_point>
+      strangers_;  // of these, the ones without a handshake perhaps, and when they came
   bool shut_ = false;
   bool closed_ = false;
 };

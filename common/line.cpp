@@ -156,6 +156,7 @@ bool Line::take(zmq::message_t& message) {
     // A stranger may have left from the same descriptor just before.
     read_news();
     peer_descriptor_ = zmq_msg_get(message.handle(), ZMQ_SRCFD);
+    gate_.trust(peer_descriptor_);
     if (!gate_.knows(peer_descriptor_)) loss_ = "the connection was lost: it has ended or died";
     gate_.shut();
   }
@@ -213,7 +214,6 @@ void Line::note(int event, int value) {
     gate_.came(value);
   } else if (event == ZMQ_EVENT_HANDSHAKE_SUCCEEDED) {
     connected_ = !accepts_;
-    gate_.trust(value);
   } else if (event != ZMQ_EVENT_DISCONNECTED) {
     trouble_ = "a connection failed in its handshake: one side has no key, or that of another run";
     if (!accepts_) loss_ = trouble_;

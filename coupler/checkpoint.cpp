@@ -99,16 +99,28 @@ std::vector<hsize_t> require_length(const H5::DataSet& dataset, const std::strin
 std::vector<double> column(const H5::H5File& file, const std::string& name, std::uint64_t rows,
                            const Checkpoint& checkpoint) {
   const H5::DataSet dataset = file.openDataSet(name);
-  std::vector<double> values(require_length(dataset, name, rows, checkpoint)[0]);
-  if (!values.empty()) dataset.read(values.data(), H5::PredType::NATIVE_DOUBLE);
-  values.resize(rows);
-  return values;
+  require_length(dataset, name, rows, checkpoint);
+  return first_rows(dataset, rows);
+}
+
+/// That an array has frames as the recorder writes them, of no more numbers than a message can have.
+void require_frames(const std::vector<hsize_t>& size, const std::string& place) {
+  constexpr hsize_t most = hsize_t{1} << 26;
+  const bool array = size.size() == 2 || (size.size() == 3 && size[2] > 0);
+  require(array, "{} has {} dimensions, or nothing in the last: it is no array of Cosurge", place,
+          size.size());
+  const hsize_t components = size.size() == 3 ? size[2] : 1;
+  require(components <= most && size[1] <= most / components,
+          "{} has frames of {} x {} numbers, an array of Cosurge has {} at most", place, size[1], components,
+          most);
 }
 
 /// Frame `index` of one array.
 Array frame_of(const H5::Group& group, const std::string& name, hsize_t index, const Checkpoint& checkpoint) {
   const H5::DataSet dataset = group.openDataSet(name);
-  std::vector<hsize_t> size = require_length(dataset, "/frames/.../" + name, checkpoint.frames, checkpoint);
+  const std::string place = dataset.getObjName();
+  std::vector<hsize_t> size = require_length(dataset, place, checkpoint.frames, checkpoint);
+  require_frames(size, place);
   std::vector<hsize_t> start(size.size(), 0);
   start[0] = index;
   size[0] = 1;
@@ -119,10 +131,7 @@ Array frame_of(const H5::Group& group, const std::string& name, hsize_t index, c
   source.selectHyperslab(H5S_SELECT_SET, size.data(), start.data());
   dataset.read(array.values.data(), H5::PredType::NATIVE_FLOAT,
                H5::DataSpace(static_cast<int>(size.size()), size.data()), source);
-  if (dataset.attrExists("unit")) {
-    const H5::Attribute unit = dataset.openAttribute("unit");
-    unit.read(unit.getStrType(), array.unit);
-  }
+  if (dataset.attrExists("unit")) array.unit = text_of(dataset.openAttribute("unit"));
   return array;
 }
 

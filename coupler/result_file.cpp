@@ -42,6 +42,28 @@ std::vector<hsize_t> extent(const H5::DataSet& dataset) {
   return size;
 }
 
+std::vector<double> first_rows(const H5::DataSet& series, hsize_t rows) {
+  const H5::DataSpace source = series.getSpace();
+  require(source.getSimpleExtentNdims() == 1,
+          "{} has {} dimensions instead of 1: it is no history of Cosurge", series.getObjName(),
+          source.getSimpleExtentNdims());
+  std::vector<double> values(rows);
+  if (rows == 0) return values;
+  const hsize_t start = 0;
+  source.selectHyperslab(H5S_SELECT_SET, &rows, &start);
+  series.read(values.data(), H5::PredType::NATIVE_DOUBLE, H5::DataSpace(1, &rows), source);
+  return values;
+}
+
+std::string text_of(const H5::Attribute& attribute) {
+  const bool one =
+      attribute.getTypeClass() == H5T_STRING && attribute.getSpace().getSimpleExtentNpoints() == 1;
+  require(one, "the attribute {} is not one text", attribute.getName());  // HDF5 would read beyond the end
+  std::string text;
+  attribute.read(attribute.getStrType(), text);
+  return text;
+}
+
 template <typename Action>
 void ResultFile::attempt(const std::string& doing, Action action) {
   errno = 0;

@@ -18,6 +18,13 @@ namespace cosurge {
 /// Lengths of a dataset's dimensions.
 std::vector<hsize_t> extent(const H5::DataSet& dataset);
 
+/// The first `rows` numbers of a series that has so many. @throws Error where it has more dimensions than
+/// one.
+std::vector<double> first_rows(const H5::DataSet& series, hsize_t rows);
+
+/// An attribute that is one text. @throws Error where it is something else.
+std::string text_of(const H5::Attribute& attribute);
+
 /// A file that grows. What was there at the last flush() can be read by any HDF5 reader at any time: while
 /// the run goes on, during a flush, and after it was killed. For that
 /// - the writer takes no lock, and writes the oldest format, which knows no mark "open for writing";

@@ -14,14 +14,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string text_of(const H5::Attribute& attribute) {
-  std::string text;
-  attribute.read(attribute.getStrType(), text);
-  return text;
-}
-
 std::string unit_of(const H5::DataSet& dataset) {
   return dataset.attrExists("unit") ? text_of(dataset.openAttribute("unit")) : "";
+}
+
+std::vector<double> all_rows(const H5::DataSet& series) {
+  const std::vector<hsize_t> size = extent(series);
+  return first_rows(series, size.empty() ? 0 : size[0]);
 }
 
 }  // namespace
@@ -89,19 +88,13 @@ std::vector<std::string> Results::histories() const {
 Series Results::history(const std::string& name) const {
   return attempt("cannot read the history " + name, [&] {
     const H5::DataSet dataset = results_.openDataSet("/history/" + name);
-    Series series{
-        .name = name, .unit = unit_of(dataset), .values = std::vector<double>(extent(dataset).front())};
-    if (!series.values.empty()) dataset.read(series.values.data(), H5::PredType::NATIVE_DOUBLE);
-    return series;
+    return Series{.name = name, .unit = unit_of(dataset), .values = all_rows(dataset)};
   });
 }
 
 std::vector<double> Results::frame_times() const {
   return attempt("cannot read the times of the frames", [&] {
-    const H5::DataSet dataset = results_.openDataSet("/frames/time");
-    std::vector<double> times(extent(dataset).front());
-    if (!times.empty()) dataset.read(times.data(), H5::PredType::NATIVE_DOUBLE);
-    return times;
+    return all_rows(results_.openDataSet("/frames/time"));
   });
 }
 
@@ -115,6 +108,8 @@ std::vector<FrameArray> Results::arrays(const std::string& member) const {
       const std::string name = group.getObjnameByIdx(k);
       const H5::DataSet dataset = group.openDataSet(name);
       const std::vector<hsize_t> size = extent(dataset);
+      require(size.size() == 2 || size.size() == 3, "{}: {} has {} dimensions: it is no array of Cosurge",
+              path_.string(), dataset.getObjName(), size.size());
       arrays.push_back({.name = name,
                         .unit = unit_of(dataset),
                         .frames = size[0],

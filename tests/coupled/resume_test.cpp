@@ -168,5 +168,33 @@ TEST_F(Resume, ResultsThatDoNotReachTheCheckpointAreRefusedInWords) {
   EXPECT_THAT(refused.output(), HasSubstr("a part of the results is missing"));
 }
 
+/// Puts a dataset of zeros in the place of another.
+void replace_dataset(const fs::path& results, const std::string& name, const std::vector<hsize_t>& size) {
+  H5::H5File file(results, H5F_ACC_RDWR);
+  file.unlink(name);
+  file.createDataSet(name, H5::PredType::NATIVE_DOUBLE,
+                     H5::DataSpace(static_cast<int>(size.size()), size.data()));
+}
+
+TEST_F(Resume, ResultsOfAnotherShapeAreRefusedInWords) {
+  const std::vector<std::pair<std::string, std::vector<hsize_t>>> shapes = {
+      {"/history/time", {1000, 1000}},
+      {"/history/time", {}},
+      {"/frames/fluid/velocity", {1000}},
+      {"/frames/fluid/velocity", {1000, 4, 0}}};
+  Program cut = start("cut", {"time.end=1000", "output.frame_interval=0.01"});
+  while (rows("cut") < 50 && cut.running()) wait_for(0.01);
+  kill(cut.pid(), SIGINT);
+  ASSERT_EQ(cut.wait(patience), 130) << cut.output();
+  for (std::size_t k = 0; k < shapes.size(); ++k) {
+    const std::string name = "shape" + std::to_string(k);
+    fs::copy(folder("cut"), folder(name));
+    replace_dataset(folder(name) / "results.h5", shapes[k].first, shapes[k].second);
+    Program refused = resume(name, name + ".log");
+    EXPECT_EQ(refused.wait(patience), 1) << refused.output();
+    EXPECT_THAT(refused.output(), HasSubstr("results.h5: " + shapes[k].first)) << k;
+  }
+}
+
 }  // namespace
 }  // namespace cosurge::testing
