@@ -93,9 +93,8 @@ Series Results::history(const std::string& name) const {
 }
 
 std::vector<double> Results::frame_times() const {
-  return attempt("cannot read the times of the frames", [&] {
-    return all_rows(results_.openDataSet("/frames/time"));
-  });
+  return attempt("cannot read the times of the frames",
+                 [&] { return all_rows(results_.openDataSet("/frames/time")); });
 }
 
 std::vector<FrameArray> Results::arrays(const std::string& member) const {
