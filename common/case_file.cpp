@@ -1,7 +1,5 @@
 #include "common/case_file.hpp"
 
-#include <toml++/toml.h>
-
 #include <cmath>
 #include <filesystem>
 #include <optional>
@@ -12,6 +10,7 @@
 #include "common/error.hpp"
 #include "common/snap_probes.hpp"
 #include "common/text_file.hpp"
+#include "common/toml.hpp"
 #include "common/toml_bounds.hpp"
 
 namespace cosurge {
