@@ -13,7 +13,9 @@
 #include "coupler/csv_command.hpp"
 #include "coupler/map_command.hpp"
 #include "coupler/run_command.hpp"
+#include "coupler/say.hpp"
 #include "coupler/selftest_command.hpp"
+#include "coupler/status_command.hpp"
 
 namespace {
 
@@ -119,6 +121,11 @@ int main(int argc, char** argv) {
       "check", "Validate a case and show what would run: particles, windows, memory, time");
   add_case(*check_app, check_path, check_overrides);
 
+  std::string status_folder;
+  CLI::App* status_app = app.add_subcommand(
+      "status", "How far a run is, how fast, and how to go on with it, from its folder alone");
+  status_app->add_option("folder", status_folder, "Folder of its results")->required();
+
   CLI::App* selftest_app = app.add_subcommand(
       "selftest", "Water on a sprung piston against its exact frequency and limit of stability");
 
@@ -170,6 +177,10 @@ int main(int argc, char** argv) {
   }
   try {
     if (*run_app) return cosurge::run_command(run);
+    if (*status_app) {
+      cosurge::say("{}", cosurge::status_of(status_folder));
+      return 0;
+    }
     if (*selftest_app) return cosurge::selftest_command();
     if (*certify_app) {
       certify.role = role == "fluid" ? cosurge::Role::fluid : cosurge::Role::solid;
