@@ -1,7 +1,5 @@
 #include "common/case_file.hpp"
 
-#include <toml++/toml.h>
-
 #include <cmath>
 #include <filesystem>
 #include <optional>
@@ -12,6 +10,7 @@
 #include "common/error.hpp"
 #include "common/snap_probes.hpp"
 #include "common/text_file.hpp"
+#include "common/toml.hpp"
 #include "common/toml_bounds.hpp"
 
 namespace cosurge {
@@ -234,6 +233,7 @@ toml::table parse(const std::filesystem::path& file) {
   const std::string bytes = without_byte_order_mark(file_contents(file), file);
   const std::string text = fmt::format("{}", fmt::join(lines_of(bytes), "\n")) + "\n";
   require_short_keys(text, file.string());
+  require_ascii(text, file.string());
   try {
     return toml::parse(text, file.string());
   } catch (const toml::parse_error& error) {

@@ -16,8 +16,9 @@ using google::protobuf::Message;
 /// The value of an override: TOML, or a bare word.
 toml::table parse_value(const std::string& source, const std::string& value) {
   try {
+    require_ascii(value, source);
     return toml::parse("value = " + value, source);
-  } catch (const toml::parse_error&) {
+  } catch (const std::runtime_error&) {  // of both
     require(value.find_first_of("'\n\r") == std::string::npos,
             "{}: \"{}\" is neither a TOML value nor a word", source, value);
     return toml::parse("value = '" + value + "'", source);

@@ -2,9 +2,10 @@
 #pragma once
 
 #include <google/protobuf/message.h>
-#include <toml++/toml.h>
 
 #include <string>
+
+#include "common/toml.hpp"
 
 namespace cosurge {
 

@@ -24,10 +24,10 @@ std::size_t behind_quotes(std::string_view text, std::size_t at) {
   return text.size();
 }
 
-}  // namespace
-
-void require_short_keys(std::string_view text, const std::string& source) {
-  std::size_t parts = 1, line = 1;
+/// Calls `visit(character, line)` for all that is neither in quotes nor in a comment.
+template <typename Visit>
+void walk(std::string_view text, Visit visit) {
+  std::size_t line = 1;
   for (std::size_t at = 0; at < text.size();) {
     const char c = text[at];
     if (c == '"' || c == '\'') {
@@ -35,18 +35,34 @@ void require_short_keys(std::string_view text, const std::string& source) {
       line += static_cast<std::size_t>(std::count(text.begin() + static_cast<std::ptrdiff_t>(at),
                                                   text.begin() + static_cast<std::ptrdiff_t>(end), '\n'));
       at = end;
-      continue;
-    }
-    if (c == '#') {
+    } else if (c == '#') {
       at = std::min(text.find('\n', at), text.size());
-      continue;
+    } else {
+      visit(c, line);
+      line += c == '\n' ? 1 : 0;
+      ++at;
     }
+  }
+}
+
+bool is_ascii(char c) { return static_cast<unsigned char>(c) < 0x80; }
+
+}  // namespace
+
+void require_short_keys(std::string_view text, const std::string& source) {
+  std::size_t parts = 1;
+  walk(text, [&](char c, std::size_t line) {
     if (c == '.') ++parts;
     if (std::string_view("=,[]{}\n").find(c) != std::string_view::npos) parts = 1;
     require(parts <= most_key_parts, "{}:{}: a key has more than {} parts", source, line, most_key_parts);
-    line += c == '\n' ? 1 : 0;
-    ++at;
-  }
+  });
+}
+
+void require_ascii(std::string_view text, const std::string& source) {
+  walk(text, [&](char c, std::size_t line) {
+    require(is_ascii(c), "{}:{}: a letter or blank beyond ASCII, which may only be in quotes and comments",
+            source, line);
+  });
 }
 
 }  // namespace cosurge

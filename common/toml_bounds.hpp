@@ -12,4 +12,8 @@ constexpr std::size_t most_key_parts = 16;  ///< of a dotted key; those of cases
 /// @throws Error "SOURCE:line: ..." where a key of `text` has more parts than that.
 void require_short_keys(std::string_view text, const std::string& source);
 
+/// @throws Error "SOURCE:line: ..." where `text` has a character beyond ASCII outside of quotes and comments:
+/// TOML has none there, and toml++ is undefined for those from U+00A1 to U+0499.
+void require_ascii(std::string_view text, const std::string& source);
+
 }  // namespace cosurge

@@ -208,6 +208,8 @@ void Checkpoint::write(const std::filesystem::path& folder) const {
   std::filesystem::rename(kept, folder / name_before, none);
 }
 
+Checkpoint Checkpoint::read_file(const std::filesystem::path& path) { return decode(content_of(path), path); }
+
 Checkpoint Checkpoint::read(const std::filesystem::path& folder) {
   const std::filesystem::path last = folder / name, before = folder / name_before;
   const bool some = std::filesystem::exists(last) || std::filesystem::exists(before);

@@ -37,6 +37,9 @@ struct Checkpoint {
   /// @throws Error when there is none, none is whole, or it is of another version of Cosurge.
   static Checkpoint read(const std::filesystem::path& folder);
 
+  /// What is in one file, as it is. @throws Error where it is damaged or of another version.
+  static Checkpoint read_file(const std::filesystem::path& path);
+
   /// @throws Error unless `members` are the programs that the state is of.
   void require_same_programs(const std::vector<Member>& members) const;
 };

@@ -15,7 +15,9 @@
 #include "coupler/report/report_command.hpp"
 #include "coupler/report/watch_command.hpp"
 #include "coupler/run_command.hpp"
+#include "coupler/say.hpp"
 #include "coupler/selftest_command.hpp"
+#include "coupler/status_command.hpp"
 
 namespace {
 
@@ -157,6 +159,11 @@ int main(int argc, char** argv) {
       "A page for a browser that shows the case: FILE.html, with tank, water, bodies, clamps, "
       "probes and the paths of walls");
 
+  std::string status_folder;
+  CLI::App* status_app = app.add_subcommand(
+      "status", "How far a run is, how fast, and how to go on with it, from its folder alone");
+  status_app->add_option("folder", status_folder, "Folder of its results")->required();
+
   CLI::App* selftest_app = app.add_subcommand(
       "selftest", "Water on a sprung piston against its exact frequency and limit of stability");
 
@@ -213,6 +220,10 @@ int main(int argc, char** argv) {
   }
   try {
     if (*run_app) return cosurge::run_command(run);
+    if (*status_app) {
+      cosurge::say("{}", cosurge::status_of(status_folder));
+      return 0;
+    }
     if (*selftest_app) return cosurge::selftest_command();
     if (*certify_app) {
       certify.role = role == "fluid" ? cosurge::Role::fluid : cosurge::Role::solid;

@@ -217,6 +217,21 @@ const H5FD_class_t& driver_class() {
   return description;
 }
 
+/// Of the index, HDF5 would keep up to 32 MB in memory.
+void bound_cache(hid_t access) {
+  constexpr std::size_t most = std::size_t{1} << 20;
+  H5AC_cache_config_t cache{};
+  cache.version = H5AC__CURR_CACHE_CONFIG_VERSION;
+  H5Pget_mdc_config(access, &cache);
+  cache.set_initial_size = true;
+  cache.initial_size = cache.max_size = most;
+  cache.min_size = most / 4;
+  cache.incr_mode = H5C_incr__off;
+  cache.flash_incr_mode = H5C_flash_incr__off;
+  cache.decr_mode = H5C_decr__off;
+  H5Pset_mdc_config(access, &cache);
+}
+
 }  // namespace
 
 H5::FileAccPropList OrderedFile::access() {
@@ -224,6 +239,7 @@ H5::FileAccPropList OrderedFile::access() {
   H5::FileAccPropList access;
   H5Pset_driver(access.getId(), driver, nullptr);
   H5Pset_meta_block_size(access.getId(), 0);  // each part of the index asks allocate()
+  bound_cache(access.getId());
   return access;
 }
 

@@ -13,6 +13,8 @@ namespace {
 constexpr hsize_t rows_a_chunk = 1024;
 constexpr hsize_t particles_a_chunk = 65536;
 constexpr int deflate_level = 4;
+constexpr std::size_t cached_slots = 3;
+constexpr std::size_t cached_bytes = 2 * rows_a_chunk * sizeof(double);
 
 H5::StrType text_type() {
   H5::StrType type(H5::PredType::C_S1, H5T_VARIABLE);
@@ -105,7 +107,10 @@ H5::DataSet ResultFile::create(const std::string& name, const std::string& unit,
                                const H5::DataSpace& space, const H5::DSetCreatPropList& layout) {
   H5::LinkCreatPropList link;
   link.setCreateIntermediateGroup(true);
-  H5::DataSet dataset = file_.createDataSet(name, type, space, layout, H5::DSetAccPropList::DEFAULT, link);
+  // Rows go to the last chunk, frames to new ones: HDF5 would keep 1 MB of old ones for each dataset.
+  H5::DSetAccPropList access;
+  access.setChunkCache(cached_slots, cached_bytes, 1);
+  H5::DataSet dataset = file_.createDataSet(name, type, space, layout, access, link);
   if (!unit.empty()) dataset.createAttribute("unit", text_type(), H5::DataSpace()).write(text_type(), unit);
   return dataset;
 }

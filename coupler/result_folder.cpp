@@ -66,6 +66,14 @@ ResultFolder::ResultFolder(const fs::path& existing) : path_(existing) {
 
 ResultFolder ResultFolder::of_a_run(const fs::path& folder) { return ResultFolder(folder); }
 
+bool ResultFolder::in_use(const fs::path& folder) {
+  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return false;
+  const bool used = flock(descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  close(descriptor);
+  return used;
+}
+
 ResultFolder::~ResultFolder() {
   if (locked_ >= 0) close(locked_);
 }

@@ -24,6 +24,9 @@ class ResultFolder {
   /// it.
   static ResultFolder of_a_run(const std::filesystem::path& folder);
 
+  /// Whether a run is using it now.
+  static bool in_use(const std::filesystem::path& folder);
+
   ResultFolder(const ResultFolder&) = delete;
   ResultFolder& operator=(const ResultFolder&) = delete;
 

@@ -57,6 +57,25 @@ class NothingLost : public ::testing::Test {
   ScratchFolder scratch_;
 };
 
+TEST_F(NothingLost, TheStatusOfARunSaysHowFarItIsAndHowToGoOn) {
+  Program program = run("1000");
+  wait_for_file(folder() / "checkpoint.old", program);
+  Program running = cosurge({"status", folder()}, "running");
+  ASSERT_EQ(running.wait(patience), 0) << running.output();
+  EXPECT_THAT(running.output(), HasSubstr("running\n  t = "));
+  EXPECT_THAT(running.output(), HasSubstr("of 1000 s (0 %) at the last frame"));
+  EXPECT_THAT(running.output(), HasSubstr(" left; the last frame came"));
+  kill(program.pid(), SIGKILL);
+  program.wait(patience);
+  Program killed = cosurge({"status", folder()}, "killed");
+  ASSERT_EQ(killed.wait(patience), 0) << killed.output();
+  EXPECT_THAT(killed.output(), HasSubstr("killed\n"));
+  EXPECT_THAT(killed.output(), HasSubstr("cosurge resume " + folder().string()));
+  Program none = cosurge({"status", scratch_.path() / "none"}, "none");
+  EXPECT_EQ(none.wait(patience), 1);
+  EXPECT_THAT(none.output(), HasSubstr("no run is there"));
+}
+
 // A stopped process keeps every signal waiting except SIGKILL.
 TEST_F(NothingLost, AFrozenSolverEndsWithACouplerThatIsKilled) {
   Program program = run("1000");

@@ -56,6 +56,14 @@ TEST(CaseBombs, KeysOfVeryManyPartsAreRefused) {
   EXPECT_THAT(errors_of(CaseText().file(), {"fluid.density={" + long_key(60000) + "=1}"}), refused);
 }
 
+TEST(CaseBombs, LettersBeyondAsciiAreForQuotesAndCommentsOnly) {
+  const auto refused = HasSubstr("a letter or blank beyond ASCII, which may only be in quotes and comments");
+  EXPECT_THAT(errors_in("# \u00fc\nx = 0.\u0262\n"), AllOf(refused, HasSubstr("case.toml:2:")));
+  EXPECT_THAT(errors_in("\u00e4 = 1\n"), refused);
+  EXPECT_THAT(errors_in("title = \"\u00fc\"\n# \u00fc\n"), Not(refused));
+  EXPECT_EQ(errors_of(CaseText().file(), {"title=Gr\u00f6\u00dfe"}), "");
+}
+
 TEST(CaseBombs, DotsElsewhereAreNoParts) {
   const std::string dots(100, '.');
   EXPECT_THAT(errors_in("title = \"" + dots + "\" # " + dots + "\nreference = '''\n" + dots + "'''\n"),

@@ -1,0 +1,88 @@
+// Very many windows: a run keeps neither their rows nor files.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "coupler/checkpoint.hpp"
+#include "coupler/launcher.hpp"
+#include "tests/support/mock_participant.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace cosurge {
+namespace {
+
+constexpr std::uint64_t windows_a_frame = 100;
+// [bytes] a window: what HDF5 keeps of the results' index, 16. A history that
+// stays in memory has 8 a column, and there are 20.
+constexpr double most_of_a_window = 25;
+
+/// Of this process [kB].
+double memory() {
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;) {
+    double value = 0;
+    if (word == "VmRSS:" && status >> value) return value;
+  }
+  return 0;
+}
+
+std::size_t open_files() {
+  std::size_t count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd"))
+    count += !entry.path().empty();
+  return count;
+}
+
+/// What a run has taken after some windows.
+struct Taken {
+  double memory;  // [kB]
+  std::size_t files;
+};
+
+/// Measures at a number of windows.
+class Measurement : public Observer {
+ public:
+  explicit Measurement(std::uint64_t at) : at_(at) {}
+  void window(const Window&, const Reports&, const std::vector<double>&) override {}
+  void frame(double, const std::vector<Snapshot>&) override {
+    if (++frames_ == at_ / windows_a_frame) taken = {memory(), open_files()};
+  }
+  Taken taken{};
+
+ private:
+  std::uint64_t at_;
+  std::uint64_t frames_ = 0;
+};
+
+/// The piston under water, each in a thread of its own behind a wire, with results and checkpoints.
+void expect_flat(std::uint64_t windows) {
+  const testing::ScratchFolder folder;
+  const testing::Piston piston;
+  v1::Case the_case = testing::piston_case();
+  the_case.mutable_time()->set_end(1e-3 * static_cast<double>(windows));
+  the_case.mutable_output()->set_frame_interval(1e-3 * windows_a_frame);
+  Solver fluid = Solver::thread(testing::water_column(piston), 60, 1);
+  Solver solid = Solver::thread(testing::sprung_piston(piston), 60, 1);
+  fluid.join(2, {});
+  solid.join(2, {});
+  Coupler coupler(the_case, {&fluid.participant(), &solid.participant()});
+  Recorder recorder(folder.path(), the_case, coupler.members(), coupler.interface(), coupler.columns());
+  CheckpointWriter checkpoints(folder.path(), the_case, coupler);
+  Measurement early(windows / 5), late(windows - windows_a_frame);
+  ASSERT_TRUE(coupler.run({&recorder, &checkpoints, &early, &late}, [] { return false; }));
+  ASSERT_GE(coupler.windows(), windows);
+  ASSERT_GT(early.taken.memory, 0);
+  EXPECT_EQ(early.taken.files, late.taken.files);
+  const double growth =
+      1024 * (late.taken.memory - early.taken.memory) / (0.8 * static_cast<double>(windows));
+  EXPECT_LT(growth, most_of_a_window)
+      << early.taken.memory << " kB after a fifth, " << late.taken.memory << " kB at the end";
+}
+
+TEST(Soak, AHundredThousandWindowsKeepNothingButTheIndexOfTheirResults) { expect_flat(100000); }
+
+TEST(LongSoak, AMillionWindowsKeepNothingButTheIndexOfTheirResults) { expect_flat(1000000); }
+
+}  // namespace
+}  // namespace cosurge

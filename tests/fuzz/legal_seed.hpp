@@ -1,0 +1,25 @@
+// Inputs of a fuzz target that begin from legal ones: [number of the part that is spoilt, its bytes].
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <vector>
+
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
+
+namespace cosurge::testing {
+
+/// What libFuzzer's custom mutator returns: now and then a legal part, else a change of what is there.
+inline std::size_t legal_or_mutated(const std::vector<std::string>& legal, std::uint8_t* data,
+                                    std::size_t size, std::size_t most, unsigned seed) {
+  constexpr unsigned rarely = 50;
+  if (size > 1 && seed % rarely != 0) return 1 + LLVMFuzzerMutate(data + 1, size - 1, most - 1);
+  const std::size_t part = seed / rarely % legal.size();
+  if (legal[part].size() + 1 > most) return size;
+  data[0] = static_cast<std::uint8_t>(part);
+  std::memcpy(data + 1, legal[part].data(), legal[part].size());
+  return legal[part].size() + 1;
+}
+
+}  // namespace cosurge::testing
