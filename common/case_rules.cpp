@@ -11,6 +11,7 @@
 #include "common/probe_rules.hpp"
 #include "common/region_rules.hpp"
 #include "common/shape.hpp"
+#include "common/spring_rules.hpp"
 
 namespace cosurge {
 namespace {
@@ -333,6 +334,7 @@ void check_rules(const v1::Case& c, CaseErrors& errors) {
   if (c.has_fluid()) check_thickness(c.fluid(), errors);
   check_motions(c, errors);
   if (c.has_solid()) check_solid(c, errors);
+  if (c.has_solid()) check_springs(c, errors);
   check_probes(c, errors);
   check_times(c, errors);
 }

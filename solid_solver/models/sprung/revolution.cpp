@@ -5,8 +5,6 @@
 #include <array>
 #include <cmath>
 
-#include "common/error.hpp"
-
 namespace cosurge::sprung {
 namespace {
 
@@ -19,21 +17,9 @@ using Springs = std::array<const v1::Spring*, 3>;
 template <int dim>
 Springs turns_of(const v1::SolidSprung& parameters) {
   Springs turns = {};
-  for (const v1::Spring& spring : parameters.spring()) {
-    const std::string& word = v1::Spring::Motion_Name(spring.motion());
-    if (spring.motion() <= v1::Spring::z) continue;
-    require(
-        (spring.motion() == v1::Spring::turn) == (dim == 2),
-        dim == 2
-            ? "solid.sprung.spring: \"{}\" in a scene of two dimensions, where the word is \"turn\""
-            : "solid.sprung.spring: \"{}\" in a scene of three dimensions, where the words are \"turn_x\", "
-              "\"turn_y\" and \"turn_z\"",
-        word);
-    const v1::Spring*& turn =
-        turns[dim == 2 ? 2 : static_cast<std::size_t>(spring.motion() - v1::Spring::turn_x)];
-    require(turn == nullptr, "solid.sprung.spring: two for \"{}\"", word);
-    turn = &spring;
-  }
+  for (const v1::Spring& spring : parameters.spring())
+    if (spring.motion() > v1::Spring::z)
+      turns[dim == 2 ? 2 : static_cast<std::size_t>(spring.motion() - v1::Spring::turn_x)] = &spring;
   return turns;
 }
 
@@ -53,13 +39,8 @@ template <int dim>
 Revolution<dim>::Revolution(const v1::SolidSprung& parameters, const Mat<dim>& second, double length)
     : length_(length) {
   const Springs turns = turns_of<dim>(parameters);
-  const auto count = turns.size() - static_cast<std::size_t>(std::count(turns.begin(), turns.end(), nullptr));
-  require(
-      count != 2,
-      "solid.sprung.spring: turns about two axes; give one of \"turn_x\", \"turn_y\" and \"turn_z\", or all "
-      "three (a stiff spring holds one)");
   if constexpr (dim == 3) {
-    if (count == 3) {
+    if (std::count(turns.begin(), turns.end(), nullptr) == 0) {
       space_ = SpaceTurning{.inertia = second.trace() * Mat<3>::Identity() - second};
       for (int k = 0; k < 3; ++k) {
         space_->stiffness[k] = turns[static_cast<std::size_t>(k)]->stiffness();

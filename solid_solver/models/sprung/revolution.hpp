@@ -20,9 +20,9 @@ class Revolution {
   static constexpr int nodes = dim + 1;
   using Nodal = Eigen::Matrix<double, dim, nodes>;
 
+  /// @param parameters of a checked case (common/spring_rules.hpp)
   /// @param second integral of the density times X (x) X from the pivot [kg m2]
   /// @param length of the nodes' arms [m]
-  /// @throws Error for motions that the scene does not have, that are named twice, or two turns of three.
   Revolution(const v1::SolidSprung& parameters, const Mat<dim>& second, double length);
 
   bool is_free() const { return single_ || space_; }

@@ -12,8 +12,6 @@ namespace {
 template <int dim>
 Vec<dim> pivot_of(const v1::SolidSprung& parameters, const ShapeMoments<dim>& moments) {
   if (parameters.pivot_size() == 0) return moments.centre;
-  require(parameters.pivot_size() == dim, "solid.sprung.pivot: has {} components, must have {}",
-          parameters.pivot_size(), dim);
   return Eigen::Map<const Vec<dim>>(parameters.pivot().data());
 }
 
@@ -35,8 +33,13 @@ SprungBody<dim>::SprungBody(const v1::Body& body, int index, const v1::SolidSpru
   const Coefficients centre = coefficients(moments.centre);
   nodal_mass_ =
       mass_ * (centre * centre.transpose() + slopes.transpose() * moments.second * slopes / moments.volume);
-  require(parameters.spring_size() > 0, "solid.sprung.spring: missing; choose solid.model = \"rigid\"");
-  for (const v1::Spring& spring : parameters.spring()) free_motion(spring, index);
+  for (const v1::Spring& spring : parameters.spring())
+    if (spring.motion() <= v1::Spring::z)
+      translations_.at(static_cast<std::size_t>(spring.motion())) = {.free = true,
+                                                                     .stiffness = spring.stiffness(),
+                                                                     .damping = spring.damping(),
+                                                                     .preload = spring.preload(),
+                                                                     .state = {}};
   const Mat<dim> second =
       mass_ * (moments.second / moments.volume + arm_to_centre_ * arm_to_centre_.transpose());
   turning_.emplace(parameters, second, length_);
@@ -47,21 +50,6 @@ SprungBody<dim>::SprungBody(const v1::Body& body, int index, const v1::SolidSpru
       "solid.sprung.pivot: solid.body.{} must turn about its centre of mass where it is free to move along "
       "its axes",
       index);
-}
-
-template <int dim>
-void SprungBody<dim>::free_motion(const v1::Spring& spring, int index) {
-  const std::string& word = v1::Spring::Motion_Name(spring.motion());
-  if (spring.motion() > v1::Spring::z) return;  // a rotation
-  require(spring.motion() < dim, "solid.sprung.spring: \"{}\" in a scene of {} dimensions (solid.body.{})",
-          word, dim, index);
-  Translation& translation = translations_[static_cast<std::size_t>(spring.motion())];
-  require(!translation.free, "solid.sprung.spring: two for \"{}\"", word);
-  translation = {.free = true,
-                 .stiffness = spring.stiffness(),
-                 .damping = spring.damping(),
-                 .preload = spring.preload(),
-                 .state = {}};
 }
 
 template <int dim>

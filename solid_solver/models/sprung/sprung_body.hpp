@@ -23,7 +23,7 @@ class SprungBody {
   using Nodal = Eigen::Matrix<double, dim, nodes>;
   using Coefficients = Eigen::Matrix<double, nodes, 1>;
 
-  /// @param index of the body, for messages
+  /// @param index of the body, for messages; `parameters` of a checked case (common/spring_rules.hpp)
   SprungBody(const v1::Body& body, int index, const v1::SolidSprung& parameters, double density,
              const Vec<dim>& gravity);
 
@@ -58,8 +58,6 @@ class SprungBody {
     double stiffness = 0, damping = 0, preload = 0;
     OscillatorState state;
   };
-
-  void free_motion(const v1::Spring& spring, int index);
 
   Shape<dim> shape_;
   Vec<dim> pivot_, arm_to_centre_, gravity_;

@@ -10,7 +10,7 @@ template <int dim>
 class SprungModel : public SolidModel {
  public:
   /// @param spacing of the particles of frames [m]
-  /// @throws Error for springs that the scene has no use for, and for a pivot of a body that moves freely.
+  /// @throws Error for a pivot beside the centre of mass of a body that may move along an axis, too.
   SprungModel(const v1::Solid& solid, double spacing, const Vec<dim>& gravity);
 
   Eigen::Index nodes() const override { return static_cast<Eigen::Index>(bodies_.size()) * per_body; }

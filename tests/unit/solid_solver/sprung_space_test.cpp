@@ -206,33 +206,19 @@ TEST(SprungInSpace, SavedStateContinuesBitForBit) {
   EXPECT_EQ(run.surface.velocity, other.surface.velocity);
 }
 
-TEST(SprungInSpace, WhatCannotBeIsRefused) {
-  const auto refusal = [](const v1::Case& c) -> std::string {
-    try {
-      LoadedSolid(c, {});
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return "accepted";
-  };
-  EXPECT_NE(refusal(brick({v1::Spring::turn})).find("\"turn_x\", \"turn_y\" and \"turn_z\""),
-            std::string::npos);
-  EXPECT_NE(refusal(brick({v1::Spring::turn_x, v1::Spring::turn_z})).find("about two axes"),
-            std::string::npos);
-  EXPECT_NE(refusal(brick({v1::Spring::turn_x, v1::Spring::turn_x})).find("two for \"turn_x\""),
-            std::string::npos);
+TEST(SprungInSpace, APivotBesideTheCentreOfABodyThatMovesIsRefused) {
   v1::Case beside = brick(all_motions);
   for (const double x : {0.0, 0.1, 0.02}) beside.mutable_solid()->mutable_sprung()->add_pivot(x);
-  EXPECT_NE(refusal(beside).find("centre of mass"), std::string::npos);
+  EXPECT_THROW(LoadedSolid(beside, {}), Error);
+}
+
+TEST(SprungInSpace, SpringsEndTheRunAtHalfATurn) {
   v1::Case wound = brick(turns);
   wound.mutable_solid()->mutable_sprung()->mutable_spring(0)->set_stiffness(1e-6);
   Brick run(wound);
   run.kick(0, 20 * inertia(0) / 1e-3, 1e-3);
-  EXPECT_THROW(
-      {
-        for (int k = 0; k < 400; ++k) run.advance(1e-3);
-      },
-      NumericalError);
+  while (run.time < 0.15) run.advance(1e-3);
+  EXPECT_THROW(while (run.time < 0.17) run.advance(1e-3), NumericalError);  // pi / 20 rad/s = 0.157 s
 }
 
 }  // namespace
