@@ -12,7 +12,7 @@ import tomllib
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-COSURGE = Path(__import__("os").environ.get("COSURGE_BIN", ROOT / "build/release/bin/cosurge"))
+COSURGE = ROOT / "build/release/bin/cosurge"
 
 
 @dataclasses.dataclass(frozen=True)
