@@ -1,4 +1,5 @@
 // What the pressure has to mend: density and divergence of the predicted state.
+#include <algorithm>
 #include <cmath>
 
 #include "fluid_solver/mps.hpp"
@@ -97,9 +98,12 @@ double Mps<dim>::unbiased_deviation(int i, double smooth) const {
   if (!open_surface()) return std::isnan(smooth) ? near_deviation(i) : smooth;
   const double near = near_smooth_deviation(i);
   if (std::isnan(smooth)) return std::max(0.0, near);
-  constexpr double bias =
-      dim == 2 ? 0.17 : 0.07;  // of the large radius by disorder, over that of the small one
-  return (smooth - bias * near) / (1 - bias);
+  // Of the large radius by disorder, over that of the small one; beyond what disorder does there are gaps or
+  // jams.
+  constexpr double bias = dim == 2 ? 0.17 : 0.07;
+  constexpr double most = 0.1;
+  const double disorder = std::max(0.0, 1 - std::abs(near) / most) * bias;
+  return (smooth - disorder * near) / (1 - disorder);
 }
 
 /// Rates of the scene for the source `time_scale`, eq. (6c). Water that falls and runs under gravity answers
