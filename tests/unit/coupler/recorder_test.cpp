@@ -343,7 +343,9 @@ TEST(Xdmf, HasNamesThatXmlReservesCharactersOf) {
   const std::string text = xdmf("results.h5", {0},
                                 {{.name = "fluid",
                                   .arrays = {{"position", "/frames/fluid/position", 4, 2},
-                                             {"a<b & \"c\"", "/frames/fluid/a<b & \"c\"", 4, 1}}}});
+                                             {"a<b & \"c\"", "/frames/fluid/a<b & \"c\"", 4, 1}},
+                                  .mesh = "/mesh/fluid",
+                                  .cells = 4}});
   EXPECT_THAT(text, HasSubstr("Attribute Name=\"a&lt;b &amp; &quot;c&quot;\""));
   EXPECT_THAT(text, HasSubstr("results.h5:/frames/fluid/a&lt;b &amp; &quot;c&quot;"));
 }
