@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "common/vec.hpp"
 #include "tests/support/cosurge_program.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/results.hpp"
@@ -94,8 +95,15 @@ quantity = "displacement"
 position = [0.16, 0.2, 0.12]
 )");
   EXPECT_THAT(output, Not(HasSubstr("not to be trusted")));
+  // Both move up and down more than to the side: the progress line has the way, not its x.
+  const auto at = output.rfind("  left ");
+  ASSERT_NE(at, std::string::npos);
+  const double shown = 1e-3 * std::stod(output.substr(at + 7));
   const Datasets results = read_results(scratch_.path() / "out");
   const auto left = results.at("/history/solid/left_z"), right = results.at("/history/solid/right_z");
+  const auto aside = results.at("/history/solid/left_y"), along = results.at("/history/solid/left_x");
+  EXPECT_NEAR(shown, Vec<3>(along.back(), aside.back(), left.back()).norm(), 1e-5);
+  EXPECT_GT(shown, 1e-3);
   // From y to z; by a moment alone it would be 0.05 t^2 / 2 I = 0.9 rad.
   EXPECT_GT((right.back() - left.back()) / 0.1, 0.05);
   EXPECT_LT((right.back() - left.back()) / 0.1, 0.9);
