@@ -256,8 +256,11 @@ void check_thickness(const v1::Fluid& fluid, CaseErrors& errors) {
   for (const NamedBox& named : obstacle_boxes(fluid))
     for (int k = 0; k < named.box.min_size(); ++k)
       if (const double side = named.box.max(k) - named.box.min(k); side < (layers - whole) * fluid.spacing())
-        errors.add(named.key, fmt::format("is {:.3g} spacings thick, must be at least {}",
-                                          side / fluid.spacing(), layers));
+        errors.add(
+            named.key,
+            fmt::format("is {:.3g} spacings thick, must be at least {}: a spacing of {:.4g} m at most, or a "
+                        "thicker obstacle",
+                        side / fluid.spacing(), layers, side / layers));
 }
 
 void check_solid(const v1::Case& c, CaseErrors& errors) {
@@ -282,8 +285,11 @@ void check_solid(const v1::Case& c, CaseErrors& errors) {
     for (int k = 0; k < around.box.min_size(); ++k) {
       const double side = around.box.max(k) - around.box.min(k);
       if (side < (fewest - whole) * fluid_spacing)
-        errors.add(around.key, fmt::format("is {:.3g} spacings thick, must be at least {}",
-                                           side / fluid_spacing, fewest));
+        errors.add(
+            around.key,
+            fmt::format("is {:.3g} spacings thick, must be at least {}: a spacing of {:.4g} m at most, or a "
+                        "thicker body (a plate of thickness h bends alike with the same E h^3 and rho h)",
+                        side / fluid_spacing, fewest, side / fewest));
     }
     for (int j = 0; j < body.clamp_size(); ++j) {
       const std::string key = fmt::format("solid.body.{}.clamp.{}", i, j);

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "common/carriers.hpp"
 #include "common/case_doubts.hpp"
 #include "common/case_file.hpp"
 #include "common/error.hpp"
@@ -82,6 +83,9 @@ void check_command(const std::string& case_path, const std::vector<std::string>&
           std::ceil(the_case.time().window() / member.setup.substep));
     say("\n");
   }
+  for (int b = 0; b < the_case.solid().body_size(); ++b)
+    if (!is_held(the_case.solid(), the_case.solid().body(b)))
+      say("  {:<12} solid.body.{}: no clamp or support holds it\n", "free", b);
   say("  {:<12} {}\n", "interface", fmt::format("{} points", coupler.interface().points()));
   say("  {:<12} about {:.0f} of at most {:g} s, to t = {:g} s\n", "windows", windows,
       the_case.time().window(), the_case.time().end());

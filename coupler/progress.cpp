@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <cmath>
-#include <utility>
 
 #include "common/wire_words.hpp"
 
@@ -32,7 +31,8 @@ Progress::Progress(const v1::Case& the_case, const std::vector<Member>& members,
   find(members, "solid", "substeps", "substeps");
   for (const v1::Probe& probe : the_case.output().probe())
     if (probe.quantity() == v1::Probe::displacement)
-      find(members, "solid", probe.name() + "_x", probe.name());
+      find(members, "solid", probe.name() + "_x", probe.name(),
+           static_cast<std::size_t>(the_case.dimension()));
 }
 
 Progress::~Progress() {
@@ -40,12 +40,13 @@ Progress::~Progress() {
 }
 
 void Progress::find(const std::vector<Member>& members, const std::string& member, const std::string& column,
-                    const std::string& label) {
+                    const std::string& label, std::size_t components) {
   for (std::size_t m = 0; m < members.size(); ++m) {
     const auto& columns = members[m].setup.columns;
     for (std::size_t c = 0; c < columns.size(); ++c)
       if (members[m].name == member && columns[c].name == column)
-        quantities_.push_back({.label = label, .unit = columns[c].unit, .member = m, .column = c});
+        quantities_.push_back(
+            {.label = label, .unit = columns[c].unit, .member = m, .column = c, .components = components});
   }
 }
 
@@ -56,13 +57,20 @@ void Progress::window(const Window& window, const Reports& reports, const std::v
   const double time = window.start + window.size;
   const bool last = time >= end_;
   if (Seconds(now - shown_).count() < (terminal_ ? terminal_interval : plain_interval) && !last) return;
-  const double each = Seconds(now - shown_).count() / std::exchange(unshown_, 0);
-  shown_ = now;
   const double elapsed = Seconds(now - start_).count();
+  told_ += unshown_;
+  // Schemes that may go back tell several windows at once: the last line has the mean of the whole run.
+  const double each = last ? elapsed / told_ : Seconds(now - shown_).count() / unshown_;
+  unshown_ = 0;
+  shown_ = now;
   std::string line =
       fmt::format("t {:.4f}/{:g} s  window {}  dt {:.2e} s", time, end_, window.index + 1, window.size);
   for (const Quantity& q : quantities_) {
-    const double value = reports[q.member].values[q.column];
+    const std::vector<double>& values = reports[q.member].values;
+    double value = values[q.column];
+    if (q.components > 1)
+      value = Eigen::Map<const Eigen::VectorXd>(&values[q.column], static_cast<Eigen::Index>(q.components))
+                  .norm();
     line += q.unit == "-"   ? fmt::format("  {} {:.0f}", q.label, value)
             : q.unit == "m" ? fmt::format("  {} {:.2f} mm", q.label, 1e3 * value)
                             : fmt::format("  {} {:.2f} {}", q.label, value, q.unit);

@@ -22,16 +22,17 @@ class Progress : public Observer {
  private:
   using Clock = std::chrono::steady_clock;
 
-  /// Where a quantity stands among the reports.
+  /// Where a quantity stands among the reports. Of a vector the length is shown.
   struct Quantity {
     std::string label;
     std::string unit;
     std::size_t member;
     std::size_t column;
+    std::size_t components;
   };
 
   void find(const std::vector<Member>& members, const std::string& member, const std::string& column,
-            const std::string& label);
+            const std::string& label, std::size_t components = 1);
 
   void tell_notes(const Reports& reports);
   std::string coupling_text(const std::vector<double>& values) const;
@@ -44,6 +45,7 @@ class Progress : public Observer {
   Clock::time_point start_ = Clock::now();
   Clock::time_point shown_ = start_;
   int unshown_ = 0;  // windows since then
+  int told_ = 0;     // windows before then
 };
 
 }  // namespace cosurge

@@ -99,7 +99,8 @@ const Spoiled table[] = {
     {"ClampOffTheBody", "clamp = [{ min = [0.1, -0.02], max = [0.14, 0.0] }]",
      "clamp = [{ min = [0.1, -0.05], max = [0.14, -0.02] }]", "solid.body.0.clamp.0: must touch the body"},
     {"ThinBody", "max = [0.14, 0.1] }", "max = [0.12, 0.1] }",
-     "solid.body.0.box: is 2 spacings thick, must be at least 3"},
+     "solid.body.0.box: is 2 spacings thick, must be at least 3: a spacing of 0.006667 m at most, or a "
+     "thicker body"},
     {"SpacingThatDoesNotDivide", "spacing = 0.01", "spacing = 0.012",
      "nearest that divide every box: 0.01 below, none above"},
     {"BoxOffTheLattice", "max = [0.3, 0.3] }", "max = [0.303, 0.3] }",
