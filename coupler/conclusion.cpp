@@ -11,9 +11,9 @@
 namespace cosurge {
 namespace {
 
-/// A linear model that has left its range (docs/method_solid.md, section 6).
+/// A linear model that has left its range.
 void warn_of_deflection(const Recorder& recorder) {
-  constexpr double small = 0.05;
+  constexpr double small = small_deflection;
   const History* deflection = recorder.history("solid/largest_deflection");
   if (deflection == nullptr || deflection->max().value <= small) return;
   say("warning: unreliable result: a body bends by {:.3g} % of its length at t = {:.4g} s; "

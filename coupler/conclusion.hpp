@@ -9,6 +9,10 @@
 
 namespace cosurge {
 
+/// Largest deflection over length up to which the linear model `modal` is valid (docs/method_solid.md,
+/// section 6).
+constexpr double small_deflection = 0.05;
+
 /// Writes what has been recorded, and the summary, as far as the disk takes them, and says how the run went:
 /// remarks first; the last lines are its end with the reason and, unless it is finished, how to go on. Where
 /// something cannot be written, `outcome` says so afterwards.

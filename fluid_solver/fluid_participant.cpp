@@ -54,8 +54,7 @@ class FluidParticipant::SceneOf : public Scene {
                 .window = mps_.first_window(case_.time().window()),
                 .substep = 0};
     for (const Column& column : LostWater<dim>::columns()) setup.columns.push_back(column);
-    interface_ = interface;
-    probes_ = std::make_unique<Probes<dim>>(case_, mps_, interface_);
+    probes_ = std::make_unique<Probes<dim>>(case_, mps_, interface);
     for (const Column& column : probes_->columns()) setup.columns.push_back(column);
     return setup;
   }
@@ -139,7 +138,6 @@ class FluidParticipant::SceneOf : public Scene {
   Vec<dim> gravity_;
   Mps<dim> mps_;
   LostWater<dim> lost_water_;
-  Interface interface_;
   std::unique_ptr<Probes<dim>> probes_;
   double cpu_start_ = cpu_seconds();
 };

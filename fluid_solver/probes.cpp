@@ -21,25 +21,24 @@ std::size_t part_of(const ProbeMount& mount) {
 }  // namespace
 
 template <int dim>
-Probes<dim>::Probes(const v1::Case& the_case, const Mps<dim>& mps, const Interface& interface)
-    : mps_(mps), interface_(interface), case_(the_case) {
+Probes<dim>::Probes(const v1::Case& the_case, const Mps<dim>& mps, const Interface& interface) : mps_(mps) {
   for (const v1::Probe& probe : the_case.output().probe()) {
-    if (probe.quantity() != v1::Probe::displacement) add(probe, mount_of(the_case, probe));
+    if (probe.quantity() != v1::Probe::displacement) add(probe, mount_of(the_case, probe), interface);
   }
 }
 
 template <int dim>
-void Probes<dim>::add(const v1::Probe& probe, const ProbeMount& mount) {
+void Probes<dim>::add(const v1::Probe& probe, const ProbeMount& mount, const Interface& interface) {
   switch (probe.quantity()) {
     case v1::Probe::displacement:
       return;  // the solid's
     case v1::Probe::pressure:
-      return add_pressure(probe, mount);
+      return add_pressure(probe, mount, interface);
     case v1::Probe::level:
       return add_level(probe);
     case v1::Probe::force:
     case v1::Probe::moment:
-      return add_load(probe, mount);
+      return add_load(probe, mount, interface);
   }
 }
 
@@ -53,11 +52,11 @@ void Probes<dim>::add_value(const std::string& name, const std::string& unit,
 }
 
 template <int dim>
-void Probes<dim>::add_pressure(const v1::Probe& probe, const ProbeMount& mount) {
+void Probes<dim>::add_pressure(const v1::Probe& probe, const ProbeMount& mount, const Interface& interface) {
   const Vector x = position_of<dim>(probe);
   if (mount.on == ProbeMount::On::body) {
     add_value(probe.name(), "Pa",
-              [at = SurfacePressureProbe<dim>(probe.name(), x, interface_, mps_.spacing())](
+              [at = SurfacePressureProbe<dim>(probe.name(), x, interface, mps_.spacing())](
                   const ProbeInput& input) { return at.read(input.surface.pressure); });
     return;
   }
@@ -84,11 +83,11 @@ void Probes<dim>::add_level(const v1::Probe& probe) {
 }
 
 template <int dim>
-void Probes<dim>::add_load(const v1::Probe& probe, const ProbeMount& mount) {
+void Probes<dim>::add_load(const v1::Probe& probe, const ProbeMount& mount, const Interface& interface) {
   const bool moment = probe.quantity() == v1::Probe::moment;
   for (const std::string& name : probe_columns(probe, dim)) columns_.push_back({name, moment ? "N m" : "N"});
-  readers_.push_back([load = load_on(mount, position_of<dim>(probe)), moment](const ProbeInput& input,
-                                                                              std::vector<double>& values) {
+  readers_.push_back([load = load_on(mount, position_of<dim>(probe), interface), moment](
+                         const ProbeInput& input, std::vector<double>& values) {
     const Load<dim> of = load(input);
     if (!moment)
       values.insert(values.end(), of.force.begin(), of.force.end());
@@ -100,9 +99,10 @@ void Probes<dim>::add_load(const v1::Probe& probe, const ProbeMount& mount) {
 }
 
 template <int dim>
-auto Probes<dim>::load_on(const ProbeMount& mount, const Vector& about) -> ReadLoad {
+auto Probes<dim>::load_on(const ProbeMount& mount, const Vector& about, const Interface& interface)
+    -> ReadLoad {
   if (mount.on == ProbeMount::On::body)
-    return [load = BodyLoad<dim>(interface_, mount.number, about, mps_.spacing())](const ProbeInput& input) {
+    return [load = BodyLoad<dim>(interface, mount.number, about, mps_.spacing())](const ProbeInput& input) {
       return load.read(input.surface);
     };
   has_wall_loads_ = true;

@@ -34,23 +34,21 @@ class Probes {
   using Vector = Vec<dim>;
   using ReadLoad = std::function<Load<dim>(const ProbeInput&)>;
 
-  void add(const v1::Probe& probe, const ProbeMount& mount);
+  void add(const v1::Probe& probe, const ProbeMount& mount, const Interface& interface);
   void add_value(const std::string& name, const std::string& unit,
                  std::function<double(const ProbeInput&)> read);
-  void add_pressure(const v1::Probe& probe, const ProbeMount& mount);
+  void add_pressure(const v1::Probe& probe, const ProbeMount& mount, const Interface& interface);
   void add_level(const v1::Probe& probe);
-  void add_load(const v1::Probe& probe, const ProbeMount& mount);
-  ReadLoad load_on(const ProbeMount& mount, const Vector& about);
+  void add_load(const v1::Probe& probe, const ProbeMount& mount, const Interface& interface);
+  ReadLoad load_on(const ProbeMount& mount, const Vector& about, const Interface& interface);
 
   const Mps<dim>& mps_;
-  const Interface& interface_;
-  const v1::Case& case_;
   std::vector<Column> columns_;
   std::vector<std::function<void(const ProbeInput&, std::vector<double>&)>> readers_;
   bool has_levels_ = false;
   bool has_wall_loads_ = false;
-  WaterParts parts_;                 // of this window, for levels
-  std::vector<std::int32_t> place_;  // of the particles by id, in this window, for loads on walls
+  WaterParts parts_;                 // for levels, found in every window
+  std::vector<std::int32_t> place_;  // for loads on walls: places of particles by id, in every window
 };
 
 }  // namespace cosurge::fluid

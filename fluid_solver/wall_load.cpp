@@ -69,10 +69,11 @@ template <int dim>
 Load<dim> WallLoad<dim>::read(const Mps<dim>& mps, const std::vector<std::int32_t>& place, double t) const {
   const Motion<dim>& motion = mps.walls().motion(part_);
   const Vec<dim> about = motion.place(about_, t);
+  const Mat<dim> turned = motion.turned(t);
   Load<dim> load;
   for (const Piece& piece : pieces_) {
     const Vec<dim> x = motion.place(piece.place, t);
-    const Vec<dim> area = motion.turned(t) * piece.area;
+    const Vec<dim> area = turned * piece.area;
     if (const double p = pressure(mps, place, piece, x); p != 0 && !dry(mps, x, area.normalized(), t))
       load.add(x - about, -p * area);
   }

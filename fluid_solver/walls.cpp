@@ -73,11 +73,9 @@ auto Walls<dim>::tank_part() const -> Part {
   outer.max.template head<dim - 1>().array() += thickness_;
   for (const Vec<dim>& x : fill(outer, spacing_)) {
     if (tank_.contains(x)) continue;
-    const double depth =
-        std::max((tank_.min - x).maxCoeff(), (x - tank_.max).template head<dim - 1>().maxCoeff());
     part.place.push_back(x);
     part.normal.push_back(tank_normal(x));
-    part.kind.push_back(depth < spacing_ ? Kind::wall : Kind::dummy);
+    part.kind.push_back(depth_in_walls(x) < spacing_ ? Kind::wall : Kind::dummy);
   }
   return part;
 }
@@ -257,11 +255,9 @@ void Walls<dim>::require_room(std::ptrdiff_t obstacle, const Vec<dim>& x, double
   };
   if (!part(obstacle).with_tank) {
     const Vec<dim> at = tank_motion_.moves() ? tank_motion_.origin(x, t) : x;
-    const Vec<dim> below = tank_.min - at, beyond = at - tank_.max;
-    const double depth = std::max(below.maxCoeff(), beyond.template head<dim - 1>().maxCoeff());
-    if (beyond[dim - 1] < 0 && depth > deep && depth < thickness_)
-      refuse(below[dim - 1] == depth ? "has moved into the tank's floor"
-                                     : "has moved into a side wall of the tank");
+    if (const double depth = depth_in_walls(at); depth > deep && depth < thickness_)
+      refuse(tank_.min[dim - 1] - at[dim - 1] == depth ? "has moved into the tank's floor"
+                                                       : "has moved into a side wall of the tank");
   }
   for (std::ptrdiff_t other = 0; other < obstacle; ++other) {
     if (part(obstacle).with_tank && part(other).with_tank) continue;

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "common/body_sites.hpp"
+#include "common/carriers.hpp"
 #include "common/motion.hpp"
 #include "coupler/report/shape_lines.hpp"
 
@@ -31,12 +32,6 @@ Json poses(const Motion<dim>& motion, const std::vector<double>& times) {
   return all;
 }
 
-/// The motion that carries the tank, or an obstacle: its own where the case gives one, else the tank's.
-const v1::WallMotion& motion_of(const v1::Fluid& fluid) { return fluid.tank_motion(); }
-const v1::WallMotion& motion_of(const v1::Fluid& fluid, const v1::Obstacle& obstacle) {
-  return obstacle.has_motion() ? obstacle.motion() : fluid.tank_motion();
-}
-
 template <int dim>
 Json part(const std::string& kind, const std::string& label, const std::vector<Polyline<dim>>& lines) {
   return {{"kind", kind}, {"label", label}, {"lines", json_of<dim>(lines)}};
@@ -54,7 +49,7 @@ Json moving_part(const std::string& kind, const std::string& label, const std::v
 template <int dim>
 void add_fluid(Json& out, const v1::Fluid& fluid, const std::vector<double>& times) {
   out.push_back(
-      moving_part<dim>("tank", "tank", tank_edges(Box<dim>(fluid.tank())), motion_of(fluid), times));
+      moving_part<dim>("tank", "tank", tank_edges(Box<dim>(fluid.tank())), fluid.tank_motion(), times));
   for (int k = 0; k < fluid.water_size(); ++k)
     out.push_back(part<dim>("water", numbered("water", k, fluid.water_size()) + " at t = 0",
                             edges_of(Shape<dim>(fluid.water(k)))));
@@ -141,7 +136,7 @@ Json parts_of_check(const v1::Case& the_case) {
   if (the_case.has_fluid()) {
     const v1::Fluid& fluid = the_case.fluid();
     const Box<dim> tank(fluid.tank());
-    add_motion<dim>(out, "tank", tank_edges(tank), tank, motion_of(fluid), end);
+    add_motion<dim>(out, "tank", tank_edges(tank), tank, fluid.tank_motion(), end);
     for (int k = 0; k < fluid.obstacle_size(); ++k) {
       const Shape<dim> shape(fluid.obstacle(k).shape());
       add_motion<dim>(out, numbered("obstacle", k, fluid.obstacle_size()), edges_of(shape), shape.bounds(),

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "coupler/conclusion.hpp"
 #include "coupler/interface_account.hpp"
 #include "coupler/report/run_numbers.hpp"
 
@@ -69,7 +70,7 @@ void remark_on_coupling(const RunRecord& run, Remarks& remarks) {
     remarks.bad(
         fmt::format("the coupling scheme itself has put {:.2g} J into the system, where {:.2g} J have passed",
                     created, all));
-  constexpr double small = 0.05;  // docs/method_solid.md, section 6
+  constexpr double small = small_deflection;
   if (const double bent = run.most("solid/largest_deflection"); bent > small)
     remarks.bad(fmt::format("a body bends by {:.3g} % of its length; the model modal is valid up to {:.0f} %",
                             100 * bent, 100 * small));

@@ -71,7 +71,7 @@ v1::Case relocated(const v1::Case& the_case, const std::vector<double>& origin) 
 }
 
 RelocatedModel::RelocatedModel(std::unique_ptr<SolidModel> model, const std::vector<double>& origin)
-    : model_(std::move(model)), origin_(origin) {}
+    : WrappedModel(std::move(model)), origin_(origin) {}
 
 Interpolation RelocatedModel::interpolation(const Field& position, const std::vector<int>& body) const {
   const Eigen::Map<const Eigen::VectorXd> origin(origin_.data(), static_cast<Eigen::Index>(origin_.size()));

@@ -1,10 +1,14 @@
 // Inputs of a fuzz target that begin from legal ones: [number of the part that is spoilt, its bytes].
 #pragma once
 
+#include <google/protobuf/stubs/logging.h>
+
 #include <cstdint>
 #include <cstring>
 #include <string>
 #include <vector>
+
+#include "common/error.hpp"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
 
@@ -20,6 +24,20 @@ inline std::size_t legal_or_mutated(const std::vector<std::string>& legal, std::
   data[0] = static_cast<std::uint8_t>(part);
   std::memcpy(data + 1, legal[part].data(), legal[part].size());
   return legal[part].size() + 1;
+}
+
+/// What LLVMFuzzerTestOneInput does: runs with the bytes in place of the part, where refusals in words are
+/// right.
+template <typename RunWith>
+int run_one(const std::uint8_t* data, std::size_t size, const RunWith& run_with) {
+  google::protobuf::SetLogHandler(nullptr);  // it reports every message that it cannot read
+  if (size == 0) return 0;
+  try {
+    run_with(std::string(reinterpret_cast<const char*>(data + 1), size - 1), std::size_t{data[0]});
+  } catch (const Error&) {
+  } catch (const NumericalError&) {
+  }
+  return 0;
 }
 
 }  // namespace cosurge::testing

@@ -1,6 +1,4 @@
 // Any bytes in the place of one reply of a legal run: taken with finite numbers, or refused in words.
-#include <google/protobuf/stubs/logging.h>
-
 #include <cstdlib>
 
 #include "common/remote_participant.hpp"
@@ -52,12 +50,5 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  google::protobuf::SetLogHandler(nullptr);  // it reports every message that it cannot read
-  if (size == 0) return 0;
-  try {
-    cosurge::run_with(std::string(reinterpret_cast<const char*>(data + 1), size - 1), data[0]);
-  } catch (const cosurge::Error&) {
-  } catch (const cosurge::NumericalError&) {
-  }
-  return 0;
+  return cosurge::testing::run_one(data, size, cosurge::run_with);
 }
