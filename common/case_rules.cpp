@@ -309,13 +309,16 @@ void check_solid(const v1::Case& c, CaseErrors& errors) {
 }
 
 void check_times(const v1::Case& c, CaseErrors& errors) {
+  const bool fixed = c.time().stepping() == v1::Time::fixed;
+  if (fixed && !c.time().has_window()) errors.add("time.window", "missing, fixed windows need it");
+  if (!c.time().has_window()) return;
   const double window = c.time().window();
   if (window > c.time().end())
     errors.add("time.window", fmt::format("{} must be <= time.end = {}", window, c.time().end()));
   if (c.output().frame_interval() < window)
     errors.add("output.frame_interval",
                fmt::format("{} must be >= time.window = {}", c.output().frame_interval(), window));
-  if (c.time().stepping() != v1::Time::fixed) return;
+  if (!fixed) return;
   for (const auto& [key, value] : {std::pair{"time.end", c.time().end()},
                                    std::pair{"output.frame_interval", c.output().frame_interval()}})
     if (!divides(window, value))

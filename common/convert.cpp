@@ -102,6 +102,7 @@ void encode_motion(const Surface& surface, v1::Motion& message) {
   message.clear_ramp_increment();
   if (!all_bits_zero(surface.ramp_increment))
     encode(surface.ramp_increment, *message.mutable_ramp_increment());
+  message.set_frequency(surface.frequency);
   message.clear_modes();
   for (const Mode& mode : surface.modes) {
     v1::Mode& sent = *message.add_modes();
@@ -119,6 +120,9 @@ void decode_motion(const v1::Motion& message, Surface& surface) {
   } else {
     decode(message.ramp_increment(), "ramp_increment", surface.ramp_increment);
   }
+  require(std::isfinite(message.frequency()) && message.frequency() >= 0,
+          "frequency is {} rad/s, must be finite and >= 0", message.frequency());
+  surface.frequency = message.frequency();
   surface.modes.clear();
   require(message.modes_size() <= most_modes, "{} modes, must be <= {}", message.modes_size(), most_modes);
   for (const v1::Mode& sent : message.modes()) {

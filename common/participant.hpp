@@ -49,6 +49,7 @@ struct Surface {
   Field
       ramp_increment;  ///< [m] integral of velocity * (t - start) / size over the window; zero for held loads
   std::vector<Mode> modes;   ///< of a motion that is predicted; none otherwise
+  double frequency = 0;      ///< angular frequency of the structure's slowest oscillation [rad/s]; 0: unknown
   Field force;               ///< [N] on the solid (per metre of width in two dimensions) = -pressure * area
   Eigen::VectorXd pressure;  ///< [Pa]
 

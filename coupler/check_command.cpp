@@ -9,8 +9,8 @@
 #include "common/case_doubts.hpp"
 #include "common/case_file.hpp"
 #include "common/error.hpp"
-#include "common/shape.hpp"
 #include "common/solvers.hpp"
+#include "common/window_sizes.hpp"
 #include "coupler/coupler.hpp"
 #include "coupler/report/case_picture.hpp"
 #include "coupler/say.hpp"
@@ -39,24 +39,6 @@ class Stopwatch : public Observer {
   std::chrono::steady_clock::time_point since_;
 };
 
-/// Windows that the run will take: the largest allowed, or what water that has fallen from its highest point
-/// allows.
-double expected_windows(const v1::Case& c) {
-  double window = c.time().window();
-  if (c.has_fluid() && c.time().stepping() == v1::Time::adaptive) {
-    double head = 0;
-    const int up = c.dimension() - 1;
-    for (const v1::Shape& water : c.fluid().water()) {
-      const double top = up == 1 ? Shape<2>(water).bounds().max[1] : Shape<3>(water).bounds().max[2];
-      head = std::max(head, top - c.fluid().tank().min(up));
-    }
-    const double gravity = std::abs(c.gravity(up));
-    const double speed = 2 * std::sqrt(gravity * head);  // Ritter's bound of a front on a dry bed
-    if (speed > 0) window = std::min(window, c.fluid().courant() * c.fluid().spacing() / speed);
-  }
-  return std::ceil(c.time().end() / window);
-}
-
 }  // namespace
 
 void check_command(const std::string& case_path, const std::vector<std::string>& overrides,
@@ -74,13 +56,13 @@ void check_command(const std::string& case_path, const std::vector<std::string>&
   coupler.run({&stopwatch}, [&] { return stopwatch.done(); });
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  const double windows = expected_windows(the_case);
+  const double windows = std::ceil(the_case.time().end() / expected_window(the_case));
   say("{}: the case is valid\n", the_case.title());
   for (const Member& member : coupler.members()) {
     say("  {:<12} {} particles", member.name, member.setup.particles);
     if (member.setup.substep > 0)
       say(", sub-steps of {:.3g} s ({:.0f} a window)", member.setup.substep,
-          std::ceil(the_case.time().window() / member.setup.substep));
+          std::ceil(expected_window(the_case) / member.setup.substep));
     say("\n");
   }
   for (int b = 0; b < the_case.solid().body_size(); ++b)
@@ -88,7 +70,7 @@ void check_command(const std::string& case_path, const std::vector<std::string>&
       say("  {:<12} solid.body.{}: no clamp or support holds it\n", "free", b);
   say("  {:<12} {}\n", "interface", fmt::format("{} points", coupler.interface().points()));
   say("  {:<12} about {:.0f} of at most {:g} s, to t = {:g} s\n", "windows", windows,
-      the_case.time().window(), the_case.time().end());
+      longest_window(the_case), the_case.time().end());
   say("  {:<12} {:.0f} MB\n", "memory", static_cast<double>(usage.ru_maxrss) / 1024);
   say("  {:<12} {:.3g} ms a window now, about {:.0f} s in all\n", "time",
       1e3 * stopwatch.seconds_per_window(), windows * stopwatch.seconds_per_window());

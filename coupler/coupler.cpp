@@ -6,6 +6,7 @@
 
 #include "common/error.hpp"
 #include "common/state_bytes.hpp"
+#include "common/window_sizes.hpp"
 
 namespace cosurge {
 namespace {
@@ -30,7 +31,7 @@ Coupler::Coupler(const v1::Case& the_case, Participants participants)
   interface_.dimension = the_case.dimension();
   interface_.position = interface_.area = Field::Zero(the_case.dimension(), 0);
   surface_ = Surface::at_rest(the_case.dimension(), 0);
-  largest_ = the_case.time().window();
+  largest_ = longest_window(the_case);
   for (const auto& [name, participant] :
        {std::pair{"fluid", participants.fluid}, {"solid", participants.solid}}) {
     if (participant == nullptr) continue;
@@ -72,7 +73,7 @@ bool Coupler::run(const Observers& observers, const std::function<bool()>& stop)
 
 void Coupler::pass(const Window& window) {
   Reports reports = scheme_->advance(window, surface_, account_);
-  largest_ = case_.time().window();
+  largest_ = longest_window(case_);
   for (const Report& report : reports) largest_ = std::min(largest_, report.window);
   schedule_.complete(window);
   if (!scheme_->effort().converged) ++unconverged_;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/error.hpp"
+#include "common/window_sizes.hpp"
 
 namespace cosurge {
 namespace {
@@ -14,7 +15,9 @@ constexpr double rounding = 1e-9;  // of a window: how far times may be off by t
 }  // namespace
 
 WindowSchedule::WindowSchedule(const v1::Case& the_case)
-    : time_table_(the_case.time()), frame_interval_(the_case.output().frame_interval()) {}
+    : time_table_(the_case.time()),
+      longest_(longest_window(the_case)),
+      frame_interval_(the_case.output().frame_interval()) {}
 
 double WindowSchedule::landing() const {
   // Time is exactly that of a frame, or between two; the end of an earlier case may lie between two.
@@ -23,7 +26,7 @@ double WindowSchedule::landing() const {
 }
 
 Window WindowSchedule::next(double largest) const {
-  const double size = time_table_.window();
+  const double size = longest_;
   if (time_table_.stepping() == v1::Time::fixed)
     return {.index = index_,
             .start = static_cast<double>(static_cast<std::int64_t>(index_) - surplus_) * size,
@@ -60,7 +63,7 @@ void WindowSchedule::restore(StateReader& state) {
   state.get(finished_);
   finished_ = time_ >= time_table_.end();
   if (time_table_.stepping() != v1::Time::fixed) return;
-  const double size = time_table_.window(), windows = std::round(time_ / size);
+  const double size = longest_, windows = std::round(time_ / size);
   require(std::abs(windows - time_ / size) < 1e-6,
           "time.window: the run stands at t = {:.9g} s, which is no whole number of fixed windows of {} s",
           time_, size);

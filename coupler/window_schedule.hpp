@@ -35,6 +35,7 @@ class WindowSchedule {
   double landing() const;
 
   v1::Time time_table_;
+  double longest_;  // window [s]
   double frame_interval_;
   double time_ = 0;
   std::uint64_t index_ = 0;

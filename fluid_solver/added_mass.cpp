@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "common/error.hpp"
-#include "fluid_solver/operators.hpp"
 
 namespace cosurge::fluid {
 namespace {
@@ -45,36 +44,26 @@ Eigen::VectorXd consistent_accelerations(const ModalLoad& load) {
   return c;
 }
 
-/// Of the pressure of an acceleration of the bodies by `shape`, a vector for each point.
+/// Right-hand side of the pressure equation for an acceleration of the bodies by `shape`, a vector for each
+/// point.
 template <int dim>
 std::vector<double> AddedMass<dim>::right_hand_side(const Step& step, const Field& shape) const {
-  Particles<dim>& particles = step.particles;
-  std::vector<Vec<dim>> velocity(particles.u.size(), Vec<dim>::Zero());
-  for (std::size_t k = 0; k < step.body_place.size(); ++k)
-    velocity[static_cast<std::size_t>(step.body_place[k])] = shape.col(step.seen[k]);
-  for (const Cover& cover : step.covers) velocity[cover.wall] = velocity[cover.by];
-  particles.u.swap(velocity);
-  std::vector<double> divergence = step.poisson.divergence_by_bodies(particles, step.neighbors.grid());
-  const std::vector<std::int32_t>& unknowns = step.poisson.unknowns();
-  for (std::size_t m = 0; m < unknowns.size(); ++m)
-    if (std::isnan(divergence[m]))
-      divergence[m] =
-          near_divergence<dim>(particles, step.neighbors, unknowns[m], step.reference.n0, Vec<dim>::Zero());
-  particles.u.swap(velocity);
-  std::vector<double> source(particles.u.size(), 0.0);
+  const std::vector<double> divergence = body_divergence(step.bodies, shape);
+  const std::vector<std::int32_t>& unknowns = step.bodies.poisson.unknowns();
+  std::vector<double> source(step.bodies.particles.u.size(), 0.0);
   for (std::size_t m = 0; m < unknowns.size(); ++m) {
     const auto i = static_cast<std::size_t>(unknowns[m]);
-    source[i] = step.source_per_divergence[i] * step.dt * divergence[m];
+    source[i] = step.source_per_change[i] * step.dt * divergence[m];
   }
-  return step.poisson.rows_of(source);
+  return step.bodies.poisson.rows_of(source);
 }
 
 template <int dim>
 std::vector<double> AddedMass<dim>::last_pressure(const Step& step, std::size_t mode) const {
-  const std::vector<std::int32_t>& unknowns = step.poisson.unknowns();
+  const std::vector<std::int32_t>& unknowns = step.bodies.poisson.unknowns();
   std::vector<double> p(unknowns.size());
   for (std::size_t k = 0; k < unknowns.size(); ++k)
-    p[k] = last_[mode][static_cast<std::size_t>(step.particles.id[unknowns[k]])];
+    p[k] = last_[mode][static_cast<std::size_t>(step.bodies.particles.id[unknowns[k]])];
   return p;
 }
 
@@ -84,19 +73,19 @@ std::vector<double> AddedMass<dim>::mode_pressure(const Step& step, std::size_t 
   const bool due = windows_ == 0 || static_cast<int>(mode) % refresh_interval == windows_ % refresh_interval;
   if (!due || step.attempt > 1) return p;
   solve(step, right_hand_side(step, modes_[mode].shape), mode_tolerance, p);
-  const std::vector<std::int32_t>& unknowns = step.poisson.unknowns();
+  const std::vector<std::int32_t>& unknowns = step.bodies.poisson.unknowns();
   std::vector<double>& last = last_[mode];
   std::fill(last.begin(), last.end(), 0.0);
   for (std::size_t k = 0; k < unknowns.size(); ++k)
-    last[static_cast<std::size_t>(step.particles.id[unknowns[k]])] = p[k];
+    last[static_cast<std::size_t>(step.bodies.particles.id[unknowns[k]])] = p[k];
   return p;
 }
 
 template <int dim>
 void AddedMass<dim>::solve(const Step& step, const std::vector<double>& right_hand_side, double tolerance,
                            std::vector<double>& p) {
-  const SolveReport report = conjugate_gradient(step.poisson.matrix(), right_hand_side, step.preconditioner,
-                                                tolerance, most_iterations, p);
+  const SolveReport report = conjugate_gradient(step.bodies.poisson.matrix(), right_hand_side,
+                                                step.preconditioner, tolerance, most_iterations, p);
   if (!report.converged)
     throw NumericalError(
         fmt::format("pressure of the structure's modes: residual {:.2e} > {:.2e} after {} iterations",
@@ -108,23 +97,23 @@ void AddedMass<dim>::solve(const Step& step, const std::vector<double>& right_ha
 /// motion also where a mode's own pressure is old.
 template <int dim>
 void AddedMass<dim>::answer(const Step& step, const Eigen::VectorXd& c, std::vector<double>& pressure) {
-  Field motion = Field::Zero(dim, static_cast<Eigen::Index>(step.body_place.size()));
+  Field motion = Field::Zero(dim, static_cast<Eigen::Index>(step.bodies.body_place.size()));
   for (std::size_t m = 0; m < modes_.size(); ++m) motion += c[static_cast<Eigen::Index>(m)] * modes_[m].shape;
   std::vector<double> rows = right_hand_side(step, motion);
-  for (std::size_t k = 0; k < rows.size(); ++k) rows[k] += step.poisson.right_hand_side()[k];
+  for (std::size_t k = 0; k < rows.size(); ++k) rows[k] += step.bodies.poisson.right_hand_side()[k];
   solve(step, rows, step.tolerance, pressure);
 }
 
 template <int dim>
 auto AddedMass<dim>::wet_points(const Step& step) const -> std::vector<WetPoint> {
-  const std::vector<std::int32_t>& unknowns = step.poisson.unknowns();
-  std::vector<std::int32_t> unknown_at(step.particles.u.size(), -1);
+  const std::vector<std::int32_t>& unknowns = step.bodies.poisson.unknowns();
+  std::vector<std::int32_t> unknown_at(step.bodies.particles.u.size(), -1);
   for (std::size_t k = 0; k < unknowns.size(); ++k)
     unknown_at[static_cast<std::size_t>(unknowns[k])] = static_cast<std::int32_t>(k);
   std::vector<WetPoint> points;
-  for (std::size_t k = 0; k < step.body_place.size(); ++k) {
-    const auto place = static_cast<std::size_t>(step.body_place[k]);
-    if (unknown_at[place] >= 0 && step.particles.kind[place] == Kind::body_surface)
+  for (std::size_t k = 0; k < step.bodies.body_place.size(); ++k) {
+    const auto place = static_cast<std::size_t>(step.bodies.body_place[k]);
+    if (unknown_at[place] >= 0 && step.bodies.particles.kind[place] == Kind::body_surface)
       points.push_back({.point = k, .unknown = static_cast<std::size_t>(unknown_at[place])});
   }
   return points;
@@ -161,9 +150,9 @@ template <int dim>
 void AddedMass<dim>::couple(const Step& step, std::vector<double>& pressure) {
   ratio_ = 0;
   iterations_ = 0;
-  if (modes_.empty() || step.source_per_divergence.empty() || pressure.empty()) return;
-  const auto ids =
-      static_cast<std::size_t>(1 + *std::max_element(step.particles.id.begin(), step.particles.id.end()));
+  if (modes_.empty() || step.source_per_change.empty() || pressure.empty()) return;
+  const auto ids = static_cast<std::size_t>(
+      1 + *std::max_element(step.bodies.particles.id.begin(), step.bodies.particles.id.end()));
   last_.resize(modes_.size());
   for (auto& last : last_) last.resize(std::max(last.size(), ids));
 

@@ -7,9 +7,7 @@
 #include "common/participant.hpp"
 #include "common/state_bytes.hpp"
 #include "fluid_solver/bodies.hpp"
-#include "fluid_solver/covered_walls.hpp"
-#include "fluid_solver/neighbors.hpp"
-#include "fluid_solver/pressure/poisson_equation.hpp"
+#include "fluid_solver/body_divergence.hpp"
 
 namespace cosurge::fluid {
 
@@ -37,18 +35,13 @@ class AddedMass {
  public:
   /// What a step has of its own.
   struct Step {
-    Particles<dim>& particles;  ///< velocities are changed, and put back
-    const Neighbors<dim>& neighbors;
-    const ReferenceValues& reference;  ///< of the neighbours' radius
-    const std::vector<int>& seen;      ///< the point whose velocity the water sees in each body point
-    const std::vector<Cover>& covers;  ///< of walls by bodies
-    const std::vector<std::int32_t>& body_place;  ///< of each body point among the particles
+    BodiesInWater<dim> bodies;
     const std::vector<Vec<dim>>& body_areas;
     const std::vector<Vec<dim>>& face_load;  ///< beyond -P A on the body points [N]
-    const PoissonEquation<dim>& poisson;
     Preconditioner& preconditioner;
-    /// Of the pressure equation's source, by place [kg/(m3 s)]; empty where it does not know the divergence.
-    const std::vector<double>& source_per_divergence;
+    /// What the pressure equation's source changes by with the divergence of a change of the bodies'
+    /// velocity, by place [kg/(m3 s)]; empty where the source does not know the divergence.
+    const std::vector<double>& source_per_change;
     double dt;
     std::uint32_t attempt;   ///< at the window; 0: it is not gone through again
     double tolerance;        ///< of the pressure's relative residual

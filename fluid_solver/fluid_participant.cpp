@@ -2,6 +2,7 @@
 
 #include "common/solvers.hpp"
 #include "common/version.hpp"
+#include "common/window_sizes.hpp"
 #include "fluid_solver/gauges.hpp"
 #include "fluid_solver/lost_water.hpp"
 #include "fluid_solver/mps.hpp"
@@ -51,7 +52,7 @@ class FluidParticipant::SceneOf : public Scene {
                             {"seconds_gradient", "s"},
                             {"cpu_seconds", "s"}},
                 .particles = static_cast<std::uint64_t>(mps_.initial_size()),
-                .window = mps_.first_window(case_.time().window()),
+                .window = mps_.first_window(longest_window(case_)),
                 .substep = 0};
     for (const Column& column : LostWater<dim>::columns()) setup.columns.push_back(column);
     probes_ = std::make_unique<Probes<dim>>(case_, mps_, interface);
@@ -65,6 +66,7 @@ class FluidParticipant::SceneOf : public Scene {
     else
       mps_.set_body_velocity(surface.velocity);
     mps_.set_modes(surface.modes);
+    mps_.set_frequency(surface.frequency);
     if (window.attempt <= 1) lost_water_.before_step(mps_.particles());
     const StepReport step = mps_.step(window.start, window.size, window.attempt);
     if (window.attempt <= 1) lost_water_.after_step(mps_.particles(), window.start + window.size);

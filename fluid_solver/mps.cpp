@@ -243,17 +243,11 @@ SolveReport Mps<dim>::solve_pressure(double start, double dt, std::uint32_t atte
                     report.relative_residual, tolerance, report.iterations, start));
   take_pressure();
   set_face_load();
-  added_mass_.couple({.particles = particles_,
-                      .neighbors = neighbors_,
-                      .reference = reference_,
-                      .seen = seen_,
-                      .covers = covers_,
-                      .body_place = body_place_,
+  added_mass_.couple({.bodies = bodies_in_water(),
                       .body_areas = faces_.area,
                       .face_load = face_load_,
-                      .poisson = poisson_,
                       .preconditioner = *preconditioner_,
-                      .source_per_divergence = source_per_divergence_,
+                      .source_per_change = source_per_change_,
                       .dt = dt,
                       .attempt = attempt,
                       .tolerance = tolerance,

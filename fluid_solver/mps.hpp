@@ -48,6 +48,10 @@ class Mps {
 
   /// How the bodies answer loads in the next step; it then makes the load that agrees with the answer.
   void set_modes(const std::vector<Mode>& modes) { added_mass_.set_modes(modes); }
+
+  /// Angular frequency [rad/s] up to which the water's pressure shall follow the bodies' oscillation.
+  void set_frequency(double frequency) { frequency_ = frequency; }
+
   const AddedMass<dim>& added_mass() const { return added_mass_; }
 
   /// Load on the bodies' points by eq. (15), and the pressure on their faces. Fills force [N] and pressure
@@ -105,6 +109,11 @@ class Mps {
   Rates rates(double dt) const;
   double response_time(double dt) const;
   void set_source_per_divergence(double dt);
+  Field body_change() const;
+  void add_source_of_bodies();
+  BodiesInWater<dim> bodies_in_water() const {
+    return {particles_, neighbors_, reference_, poisson_, seen_, covers_, body_place_};
+  }
   void take_pressure();
   void set_face_load();
   SolveReport solve_pressure(double start, double dt, std::uint32_t attempt);
@@ -133,6 +142,7 @@ class Mps {
   double propagation_speed_ = 0;  // c of the source `time_scale` [m/s]
   double speed_bound_ = 0;        // [m/s]
   double max_body_speed_ = 0;
+  double frequency_ = 0;  // of the structure's oscillation [rad/s]
   int first_body_id_ = 0;
   Faces<dim> faces_;                           // of the bodies, deformed, by point
   std::vector<Vec<dim>> face_load_;            // beyond -P A on the bodies' points [N]
@@ -144,6 +154,8 @@ class Mps {
   std::vector<Vec<dim>> push_;                 // of the pressure on the velocity, by place
   std::vector<double> source_;                 // of the pressure equation, by place
   std::vector<double> source_per_divergence_;  // by place [kg/(m3 s)]
+  std::vector<double> source_per_change_;      // the same for a change of the bodies' velocity
+  Field last_body_velocity_;                   // in the window before, dimension x points [m/s]
   std::vector<double> pressure_;               // of the unknowns
   std::vector<Vec<dim>> predicted_x_;          // of a step that may be repeated, by place
   std::vector<Vec<dim>> predicted_u_;

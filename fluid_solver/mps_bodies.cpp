@@ -9,6 +9,8 @@ namespace cosurge::fluid {
 template <int dim>
 void Mps<dim>::move_bodies(const Field& displacement, const Field& velocity) {
   faces_ = bodies_.deformed(displacement);
+  last_body_velocity_.resize(dim, bodies_.points());
+  for (int k = 0; k < bodies_.points(); ++k) last_body_velocity_.col(k) = particles_.u[body_place_[k]];
   for (int k = 0; k < bodies_.points(); ++k) {
     particles_.x[body_place_[k]] = bodies_.position(k) + displacement.col(k);
     if (open_surface()) particles_.normal[body_place_[k]] = faces_.normal[k];

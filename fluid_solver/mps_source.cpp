@@ -16,9 +16,12 @@ void Mps<dim>::set_source_per_divergence(double dt) {
   const auto size = static_cast<std::size_t>(particles_.size());
   switch (parameters_.source()) {
     case v1::Fluid::deviation:
-      return source_per_divergence_.clear();
+      source_per_divergence_.clear();
+      return source_per_change_.clear();
     case v1::Fluid::mixed:
-      return source_per_divergence_.assign(size, (1 - parameters_.gamma()) * rho / dt);
+      source_per_divergence_.assign(size, (1 - parameters_.gamma()) * rho / dt);
+      source_per_change_ = source_per_divergence_;
+      return;
     case v1::Fluid::time_scale:
       source_per_divergence_.assign(size, rho * rates(dt).divergence);
   }
@@ -31,6 +34,28 @@ void Mps<dim>::set_source_per_divergence(double dt) {
     const std::int32_t i = unknowns[m];
     const double k = answers * approach_speed(particles_, neighbors_, i, kick) / parameters_.spacing();
     source_per_divergence_[i] = std::max(source_per_divergence_[i], rho * std::min(k, most));
+  }
+  source_per_change_ = source_per_divergence_;
+  const double by_bodies = rho * rates(dt).bodies;
+  for (double& s : source_per_change_) s = std::max(s, by_bodies);
+}
+
+/// What the bodies' velocity has changed by since the last window, dimension x points [m/s].
+template <int dim>
+Field Mps<dim>::body_change() const {
+  Field change = -last_body_velocity_;
+  for (int k = 0; k < bodies_.points(); ++k) change.col(k) += particles_.u[body_place_[k]];
+  return change;
+}
+
+/// Adds what the source has beyond eq. (6c) for the bodies' change of velocity, eq. (6d).
+template <int dim>
+void Mps<dim>::add_source_of_bodies() {
+  const std::vector<double> divergence = body_divergence(bodies_in_water(), body_change());
+  const auto& unknowns = poisson_.unknowns();
+  for (std::size_t m = 0; m < unknowns.size(); ++m) {
+    const std::int32_t i = unknowns[m];
+    source_[i] += (source_per_change_[i] - source_per_divergence_[i]) * divergence[m];
   }
 }
 
@@ -62,12 +87,14 @@ void Mps<dim>::set_source(double dt) {
     if (!paper) {
       in.deviation = unbiased_deviation(i, poisson_.deviation()[m]);
       in.divergence = std::isnan(divergence[m])
-                          ? near_divergence(particles_, neighbors_, i, reference_.n0, kick)
+                          ? near_divergence(particles_, particles_.u, neighbors_, i, reference_.n0, kick)
                           : divergence[m];
       in.per_divergence = source_per_divergence_[i];
     }
     source_[i] = source(in);
   }
+  if (bodies_.points() > 0 && open_surface() && rates(dt).bodies > rates(dt).divergence)
+    add_source_of_bodies();
   poisson_.set_source(source_);
 }
 
@@ -108,14 +135,18 @@ double Mps<dim>::unbiased_deviation(int i, double smooth) const {
 
 /// Rates of the scene for the source `time_scale`, eq. (6c). Water that falls and runs under gravity answers
 /// at its own wave speed: a spacing takes l0 / c. An obstacle that is driven into water at V asks for an
-/// answer while it moves by a fifteenth of a spacing.
+/// answer while it moves by a fifteenth of a spacing, and a structure within a twentieth of a radian of its
+/// oscillation.
 template <int dim>
 Rates Mps<dim>::rates(double dt) const {
-  constexpr double answers = 15;  // while an obstacle moves by a spacing
+  constexpr double answers = 15;            // while an obstacle moves by a spacing
+  constexpr double answers_to_bodies = 20;  // in a radian of the structure's oscillation
   const double c = propagation_speed_ / parameters_.spacing();
   const double driven = walls_.approach() / parameters_.spacing();
   const double k = std::min(std::max(c, answers * driven), 1 / dt);
-  return {.divergence = k, .density = std::min(k, std::max(c, driven))};
+  return {.divergence = k,
+          .density = std::min(k, std::max(c, driven)),
+          .bodies = std::max(k, std::min(answers_to_bodies * frequency_, 1 / dt))};
 }
 
 /// tau of eq. (11) [s]. In equilibrium alpha rho P / tau^2 balances rho k_n^2 (n - n0) / n0: with tau = 1 /
@@ -125,6 +156,10 @@ double Mps<dim>::response_time(double dt) const {
   return open_surface() ? 1 / rates(dt).density : dt;
 }
 
+template Field Mps<2>::body_change() const;
+template Field Mps<3>::body_change() const;
+template void Mps<2>::add_source_of_bodies();
+template void Mps<3>::add_source_of_bodies();
 template void Mps<2>::set_source(double);
 template void Mps<3>::set_source(double);
 template void Mps<2>::set_source_per_divergence(double);

@@ -79,14 +79,14 @@ Vec<dim> even_out(const Particles<dim>& particles, const Neighbors<dim>& neighbo
 }
 
 template <int dim>
-double near_divergence(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i, double n0,
-                       const Vec<dim>& kick) {
+double near_divergence(const Particles<dim>& particles, const std::vector<Vec<dim>>& velocity,
+                       const Neighbors<dim>& neighbors, int i, double n0, const Vec<dim>& kick) {
   const auto kicked = [&](int k) { return particles.kind[k] == Kind::fluid ? 0.0 : 1.0; };
   const bool on_body = of_body(particles.kind[i]);
   double sum = 0;
   neighbors.each(particles, i, [&](int j, const Vec<dim>& x_ij, double r) {
     if (on_body && of_body(particles.kind[j])) return;
-    const Vec<dim> u_ij = particles.u[j] - particles.u[i] + (kicked(j) - kicked(i)) * kick;
+    const Vec<dim> u_ij = velocity[j] - velocity[i] + (kicked(j) - kicked(i)) * kick;
     sum += u_ij.dot(x_ij) * weight(r, neighbors.re()) / (r * r);
   });
   return dim / n0 * sum;
@@ -130,8 +130,10 @@ template Vec<2> repulsion<2>(const Particles<2>&, const Neighbors<2>&, int, doub
 template Vec<3> repulsion<3>(const Particles<3>&, const Neighbors<3>&, int, double);
 template Vec<2> even_out<2>(const Particles<2>&, const Neighbors<2>&, int, double);
 template Vec<3> even_out<3>(const Particles<3>&, const Neighbors<3>&, int, double);
-template double near_divergence<2>(const Particles<2>&, const Neighbors<2>&, int, double, const Vec<2>&);
-template double near_divergence<3>(const Particles<3>&, const Neighbors<3>&, int, double, const Vec<3>&);
+template double near_divergence<2>(const Particles<2>&, const std::vector<Vec<2>>&, const Neighbors<2>&, int,
+                                   double, const Vec<2>&);
+template double near_divergence<3>(const Particles<3>&, const std::vector<Vec<3>>&, const Neighbors<3>&, int,
+                                   double, const Vec<3>&);
 template double approach_speed<2>(const Particles<2>&, const Neighbors<2>&, int, const Vec<2>&);
 template double approach_speed<3>(const Particles<3>&, const Neighbors<3>&, int, const Vec<3>&);
 template Vec<2> velocity_laplacian<2>(const Particles<2>&, const Neighbors<2>&, int, double, double);

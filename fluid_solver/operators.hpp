@@ -47,11 +47,12 @@ double approach_speed(const Particles<dim>& particles, const Neighbors<dim>& nei
 
 /// Velocity divergence at particle i, eq. (10): (d / n0) sum of (u_j - u_i) . x_ij / r^2 w over all
 /// neighbours, but for two points of bodies: a structure that is compressed does not compress water, and a
-/// pressure for it would compress it further. `kick` [m/s] is added to the velocity of walls and bodies.
-/// For the source `mixed`, where its free surface or a body is near; `time_scale` has (10b) everywhere.
+/// pressure for it would compress it further. `velocity` [m/s] is that of each particle; `kick` [m/s] is
+/// added to the velocity of walls and bodies. For the source `mixed`, where its free surface or a body is
+/// near; `time_scale` has (10b) everywhere.
 template <int dim>
-double near_divergence(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i, double n0,
-                       const Vec<dim>& kick);
+double near_divergence(const Particles<dim>& particles, const std::vector<Vec<dim>>& velocity,
+                       const Neighbors<dim>& neighbors, int i, double n0, const Vec<dim>& kick);
 
 /// Laplacian of the velocity at particle i, eq. (8): (2 d / (lambda0 n0)) sum of (u_j - u_i) w over all
 /// neighbours.

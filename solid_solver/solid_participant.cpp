@@ -2,6 +2,7 @@
 
 #include <cassert>
 #include <limits>
+#include <numbers>
 
 #include "common/body_sites.hpp"
 #include "common/error.hpp"
@@ -9,14 +10,27 @@
 #include "common/solvers.hpp"
 #include "common/state_bytes.hpp"
 #include "common/version.hpp"
+#include "common/window_sizes.hpp"
 #include "solid_solver/carried_model.hpp"
 #include "solid_solver/contact/contact_model.hpp"
 #include "solid_solver/models/make_model.hpp"
+#include "solid_solver/slowest_oscillation.hpp"
 
 namespace cosurge {
 namespace {
 
 constexpr double no_limit = std::numeric_limits<double>::infinity();
+
+/// Longest window [s] that resolves an oscillation of `frequency` [rad/s]: 200 to a period, as weak coupling
+/// loses amplitude in proportion to the window (docs/stability.md). A structure that needs windows much
+/// shorter than the water's follows its load as if it had no inertia.
+double window_of(const v1::Case& the_case, double frequency) {
+  constexpr double windows_per_period = 200, shortest = 0.5;
+  if (frequency == 0) return no_limit;
+  const double resolved = 2 * std::numbers::pi / (windows_per_period * frequency);
+  return the_case.has_fluid() ? std::max(resolved, shortest * expected_window(the_case)) : resolved;
+}
+
 int body_of(const v1::Probe& probe, const v1::Solid& solid) {
   const int body = body_at(solid, probe.position());
   require(body >= 0, "output.probe \"{}\": position ({}) lies in no body", probe.name(),
@@ -58,9 +72,13 @@ Setup SolidParticipant::initialize(const v1::Case& the_case, Interface& interfac
   displacement_ = model_->displacement();
   load_ = surface.force * H_;
   surface.displacement = displacement_ * H_.transpose();
+  if (interface.points() > 0 || !the_case.time().has_window())
+    frequency_ = slowest_oscillation(the_case, *model_);
+  if (!the_case.time().has_window()) window_ = window_of(the_case, frequency_);
+  surface.frequency = frequency_;
   return {.columns = columns(),
           .particles = model_->particles(),
-          .window = no_limit,
+          .window = window_,
           .substep = model_->substep()};
 }
 
@@ -105,10 +123,11 @@ Report SolidParticipant::advance(const Window& window, Surface& surface) {
       end_velocity_ ? model_->velocity() * H_.transpose() : Field(increment * H_.transpose() / window.size);
   surface.ramp_increment = late * H_.transpose();
   surface.modes = modes(window, surface);
+  surface.frequency = frequency_;
   displacement_ = moved;
   load_ = new_load;
   clock_.leave();
-  return {.values = values(taken), .window = no_limit, .notes = model_->take_notes()};
+  return {.values = values(taken), .window = window_, .notes = model_->take_notes()};
 }
 
 std::vector<Column> SolidParticipant::columns() const {

@@ -1,6 +1,7 @@
 // The solid as a participant of a coupled run.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -40,6 +41,8 @@ class SolidParticipant : public Participant {
 
   std::unique_ptr<SolidModel> model_;
   int dimension_ = 0;
+  double window_ = std::numeric_limits<double>::infinity();  // longest that it proposes [s]
+  double frequency_ = 0;                                     // of the slowest oscillation [rad/s]
   bool ramped_ = false;
   bool end_velocity_ = false;
   Interpolation H_;

@@ -13,6 +13,10 @@ double bearable_gain(const v1::Coupling& coupling) {
 
 constexpr double alternating = 1;  // of eq. (19); rounding alone makes 0.75
 
+// Share of the work passing between two probes that a stable scheme does not create; and the share of all
+// work below which what passes is noise.
+constexpr double much = 0.1, negligible = 1e-3;
+
 }  // namespace
 
 Auto::Auto(const v1::Coupling& coupling, Participants participants)
@@ -25,11 +29,22 @@ Reports Auto::advance(const Window& window, Surface& surface, InterfaceAccount& 
   const bool due = window.index % probe_interval == 0;
   const bool probe = choice_ == strong || due;
   Scheme& scheme = probe ? strong_ : current();
+  if (due) watch(account);
   Reports reports = scheme.advance(window, surface, account);
   effort_ = scheme.effort();
   if (probe || choice_ == weak_inertial) choose(strong_.has_modes());
-  effort_.settled = choice_ == strong || (due && alternating_ == 0);
+  effort_.settled = choice_ == strong || (due && alternating_ == 0 && !creates_);
   return reports;
+}
+
+/// Whether the coupling has created work since the last probe.
+void Auto::watch(const InterfaceAccount& account) {
+  const double created = account.created() - created_, passed = account.passed() - passed_;
+  creates_ = marked_ && choice_ == weak_inertial && created > much * passed &&
+             passed > negligible * account.passed();
+  created_ = account.created();
+  passed_ = account.passed();
+  marked_ = true;
 }
 
 void Auto::choose(bool has_modes) {
@@ -43,6 +58,9 @@ void Auto::choose(bool has_modes) {
                           gain, bearable_));
   } else if (choice_ == weak_inertial && alternating_ >= loud_windows) {
     change_to(strong, "the acceleration alternates in spite of the modes' added mass");
+  } else if (creates_) {
+    change_to(strong,
+              fmt::format("the coupling created more than {:.0f} % of the work that passed", 100 * much));
   } else if (choice_ != weak && quiet_ >= quiet_windows) {
     change_to(weak, fmt::format("an error of the velocity comes back {:.2f} times only", gain));
   }
@@ -52,6 +70,7 @@ void Auto::change_to(Choice choice, const std::string& why) {
   effort_.again = choice > choice_;
   choice_ = choice;
   quiet_ = alternating_ = 0;
+  creates_ = marked_ = false;
   if (choice == weak_inertial) weak_inertial_.forget_ratio();
   constexpr std::array<const char*, 3> names = {"weak", "weak_inertial", "strong"};
   effort_.note = fmt::format("{} from here: {}", names[choice], why);
@@ -60,11 +79,17 @@ void Auto::change_to(Choice choice, const std::string& why) {
 void Auto::save(StateWriter& state) const {
   for (const Scheme* scheme : schemes_) scheme->save(state);
   for (const int number : {choice_, quiet_, alternating_}) state.put(number);
+  for (const bool flag : {creates_, marked_}) state.put(flag);
+  state.put(created_);
+  state.put(passed_);
 }
 
 void Auto::restore(StateReader& state) {
   for (Scheme* scheme : schemes_) scheme->restore(state);
   for (int* number : {&choice_, &quiet_, &alternating_}) state.get(*number);
+  for (bool* flag : {&creates_, &marked_}) state.get(*flag);
+  state.get(created_);
+  state.get(passed_);
 }
 
 }  // namespace cosurge

@@ -13,9 +13,9 @@ namespace cosurge {
 /// Starts as `weak`. Every tenth window it goes through the window by `strong`, which measures by how much an
 /// error of the velocity comes back: the gain. Where the gain is beyond what `weak` bears, it goes on as
 /// `weak_inertial` where the solid tells its modes, and as `strong` where it does not, or where the
-/// acceleration alternates in spite of the modes. The windows since it was last found quiet are then gone
-/// through again, so that nothing of the instability's start remains. When the gain has been small for long,
-/// it is `weak` again.
+/// acceleration alternates, or the coupling creates work, in spite of the modes. The windows since it was
+/// last found quiet are then gone through again, so that nothing of the instability's start remains. When the
+/// gain has been small for long, it is `weak` again.
 class Auto : public Scheme {
  public:
   Auto(const v1::Coupling& coupling, Participants participants);
@@ -39,6 +39,7 @@ class Auto : public Scheme {
 
   Scheme& current() const { return *schemes_[static_cast<std::size_t>(choice_)]; }
   void choose(bool has_modes);
+  void watch(const InterfaceAccount& account);
   void change_to(Choice choice, const std::string& why);
 
   double bearable_;  // gain
@@ -47,8 +48,12 @@ class Auto : public Scheme {
   Strong strong_;
   std::array<Scheme*, 3> schemes_ = {&weak_, &weak_inertial_, &strong_};  // by Choice
   int choice_ = weak;
-  int quiet_ = 0;        // windows with a small gain
-  int alternating_ = 0;  // windows in which the acceleration has alternated
+  int quiet_ = 0;         // windows with a small gain
+  int alternating_ = 0;   // windows in which the acceleration has alternated
+  bool creates_ = false;  // the coupling created work before the last probe
+  bool marked_ = false;   // there was a probe since the scheme was chosen: at it
+  double created_ = 0;    // work that the coupling had created [J]
+  double passed_ = 0;     // work that had passed the interface, without signs [J]
   Effort effort_;
 };
 

@@ -20,11 +20,11 @@ void each_seen(const Particles<dim>& particles, const CellGrid<dim>& grid, int i
 
 /// In the row of water.
 template <int dim>
-double parting_of_water(const Particles<dim>& particles, const CellGrid<dim>& grid, int i, double re,
-                        const Vec<dim>& kick) {
+double parting_of_water(const Particles<dim>& particles, const std::vector<Vec<dim>>& velocity,
+                        const CellGrid<dim>& grid, int i, double re, const Vec<dim>& kick) {
   double sum = 0;
   each_seen(particles, grid, i, re, [&](int j, const Vec<dim>& x_ij, double w) {
-    const Vec<dim> u_ij = particles.u[j] - particles.u[i];
+    const Vec<dim> u_ij = velocity[j] - velocity[i];
     sum +=
         w * (particles.kind[j] == Kind::fluid ? u_ij.dot(x_ij)
                                               : across_face<dim>(u_ij + kick, particles.normal[j]).dot(x_ij));
@@ -35,14 +35,15 @@ double parting_of_water(const Particles<dim>& particles, const CellGrid<dim>& gr
 /// In the row of a point of a wall or body: by the water ahead of it and by other walls. The points of a wall
 /// that the face moves along stand for the water there; and a face beside it moves as in the row of water.
 template <int dim>
-double parting_of_face(const Particles<dim>& particles, const CellGrid<dim>& grid, int i, double re,
-                       double face_factor, const Vec<dim>& kick) {
+double parting_of_face(const Particles<dim>& particles, const std::vector<Vec<dim>>& velocity,
+                       const CellGrid<dim>& grid, int i, double re, double face_factor,
+                       const Vec<dim>& kick) {
   const Vec<dim>& n = particles.normal[i];
   const bool on_body = of_body(particles.kind[i]);
   double ahead = 0, beside = 0, weights = 0;
   Vec<dim> along = Vec<dim>::Zero(), centre = Vec<dim>::Zero();
   each_seen(particles, grid, i, re, [&](int j, const Vec<dim>& x_ij, double w) {
-    const Vec<dim> u_ij = particles.u[j] - particles.u[i];
+    const Vec<dim> u_ij = velocity[j] - velocity[i];
     if (particles.kind[j] != Kind::fluid) {
       if (on_body && of_body(particles.kind[j])) return;
       const Vec<dim> across = across_face<dim>(u_ij, n);
@@ -64,15 +65,17 @@ double parting_of_face(const Particles<dim>& particles, const CellGrid<dim>& gri
 }  // namespace
 
 template <int dim>
-double parting_at_faces(const Particles<dim>& particles, const CellGrid<dim>& grid, int i, double re,
-                        double face_factor, const Vec<dim>& kick) {
-  return particles.kind[i] == Kind::fluid ? parting_of_water(particles, grid, i, re, kick)
-                                          : parting_of_face(particles, grid, i, re, face_factor, kick);
+double parting_at_faces(const Particles<dim>& particles, const std::vector<Vec<dim>>& velocity,
+                        const CellGrid<dim>& grid, int i, double re, double face_factor,
+                        const Vec<dim>& kick) {
+  return particles.kind[i] == Kind::fluid
+             ? parting_of_water(particles, velocity, grid, i, re, kick)
+             : parting_of_face(particles, velocity, grid, i, re, face_factor, kick);
 }
 
-template double parting_at_faces<2>(const Particles<2>&, const CellGrid<2>&, int, double, double,
-                                    const Vec<2>&);
-template double parting_at_faces<3>(const Particles<3>&, const CellGrid<3>&, int, double, double,
-                                    const Vec<3>&);
+template double parting_at_faces<2>(const Particles<2>&, const std::vector<Vec<2>>&, const CellGrid<2>&, int,
+                                    double, double, const Vec<2>&);
+template double parting_at_faces<3>(const Particles<3>&, const std::vector<Vec<3>>&, const CellGrid<3>&, int,
+                                    double, double, const Vec<3>&);
 
 }  // namespace cosurge::fluid

@@ -10,12 +10,14 @@ namespace cosurge::fluid {
 /// the divergence (10b). Water slides along faces: a pair of water and a point of a wall or body with the
 /// normal n has (u_ij . n) n in place of u_ij. In the row of such a point itself the water's velocity along
 /// the face counts relative to its mean over the neighbours, and water behind a body's face does not count.
-/// Two points of bodies do not count for each other. `kick` is added to the velocity of walls and bodies.
+/// Two points of bodies do not count for each other. `velocity` [m/s] is that of each particle;
+/// `kick` is added to the velocity of walls and bodies.
 ///
 /// The row of a point of a wall or body sees water on one side only, and has `face_factor` times what it
 /// sees: then the momentum that a plane wall gives to the water by a sudden motion is exact (10c).
 template <int dim>
-double parting_at_faces(const Particles<dim>& particles, const CellGrid<dim>& grid, int i, double re,
-                        double face_factor, const Vec<dim>& kick);
+double parting_at_faces(const Particles<dim>& particles, const std::vector<Vec<dim>>& velocity,
+                        const CellGrid<dim>& grid, int i, double re, double face_factor,
+                        const Vec<dim>& kick);
 
 }  // namespace cosurge::fluid

@@ -155,7 +155,7 @@ std::vector<double> PoissonEquation<dim>::divergence(const Particles<dim>& parti
     const bool water = particles.kind[place_[m]] == Kind::fluid;
     if (!parameters_.open_surface && (!water || (sight_[m] & (bodies | surface)) != 0)) continue;
     if (!water || (sight_[m] & (walls | bodies)) != 0)
-      divergence[m] = divergence_at_faces(particles, grid, place_[m], kick);
+      divergence[m] = divergence_at_faces(particles, particles.u, grid, place_[m], kick);
     else
       divergence[m] = per_sum() * A_.template sum<Doubles>(k, [&](const Floats& weights, int column) {
         return parting(u, k, weights, column);
@@ -166,13 +166,14 @@ std::vector<double> PoissonEquation<dim>::divergence(const Particles<dim>& parti
 
 template <int dim>
 std::vector<double> PoissonEquation<dim>::divergence_by_bodies(const Particles<dim>& particles,
+                                                               const std::vector<Vec<dim>>& velocity,
                                                                const CellGrid<dim>& grid) const {
   std::vector<double> divergence(place_.size(), 0.0);
 #pragma omp parallel for schedule(dynamic, Rows::chunk)
   for (std::size_t m = 0; m < place_.size(); ++m) {
     if ((sight_[m] & bodies) == 0) continue;
     divergence[m] = parameters_.open_surface
-                        ? divergence_at_faces(particles, grid, place_[m], Vec<dim>::Zero())
+                        ? divergence_at_faces(particles, velocity, grid, place_[m], Vec<dim>::Zero())
                         : std::nan("");
   }
   return divergence;
@@ -185,9 +186,12 @@ double PoissonEquation<dim>::per_sum() const {
 }
 
 template <int dim>
-double PoissonEquation<dim>::divergence_at_faces(const Particles<dim>& particles, const CellGrid<dim>& grid,
-                                                 int i, const Vec<dim>& kick) const {
-  return per_sum() * parting_at_faces(particles, grid, i, parameters_.re, reference_.face_factor, kick);
+double PoissonEquation<dim>::divergence_at_faces(const Particles<dim>& particles,
+                                                 const std::vector<Vec<dim>>& velocity,
+                                                 const CellGrid<dim>& grid, int i,
+                                                 const Vec<dim>& kick) const {
+  return per_sum() *
+         parting_at_faces(particles, velocity, grid, i, parameters_.re, reference_.face_factor, kick);
 }
 
 /// w_ij (u_j - u_i) . x_ij of unknown k and a block of others.

@@ -52,8 +52,10 @@ class PoissonEquation {
   std::vector<double> divergence(const Particles<dim>& particles, const CellGrid<dim>& grid,
                                  const Vec<dim>& kick) const;
 
-  /// The same where only bodies move: zero at unknowns that see no body.
-  std::vector<double> divergence_by_bodies(const Particles<dim>& particles, const CellGrid<dim>& grid) const;
+  /// The same for `velocity` [m/s] by place, where only bodies move: zero at unknowns that see no body.
+  std::vector<double> divergence_by_bodies(const Particles<dim>& particles,
+                                           const std::vector<Vec<dim>>& velocity,
+                                           const CellGrid<dim>& grid) const;
 
   /// The right-hand side of a source alone, without gravity at walls.
   std::vector<double> rows_of(const std::vector<double>& source) const;
@@ -106,8 +108,8 @@ class PoissonEquation {
   Doubles parting(const Lines& velocity, int k, const Floats& weights, int column) const;
   double weight_at(const Vec<dim>& x_ij) const;
   double per_sum() const;
-  double divergence_at_faces(const Particles<dim>& particles, const CellGrid<dim>& grid, int i,
-                             const Vec<dim>& kick) const;
+  double divergence_at_faces(const Particles<dim>& particles, const std::vector<Vec<dim>>& velocity,
+                             const CellGrid<dim>& grid, int i, const Vec<dim>& kick) const;
 
   PoissonParameters<dim> parameters_;
   ReferenceValues reference_;

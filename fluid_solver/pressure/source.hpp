@@ -29,6 +29,7 @@ inline double mixed_source(const SourceInput& in, double gamma) {
 struct Rates {
   double divergence;  ///< k_u, at most 1 / dt
   double density;     ///< k_n, at most k_u
+  double bodies;      ///< k_b, of a divergence that bodies make by changing their velocity; at least k_u
 };
 
 /// Eq. (6c): S = rho k_u div u* - rho k_n^2 (n* - n0) / n0, after Cheng, Amaro & Favero 2021 (arXiv

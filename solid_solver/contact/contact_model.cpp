@@ -6,6 +6,7 @@
 #include "common/carriers.hpp"
 #include "common/error.hpp"
 #include "common/state_bytes.hpp"
+#include "common/window_sizes.hpp"
 #include "solid_solver/contact/vertex_motion.hpp"
 
 namespace cosurge::contact {
@@ -42,7 +43,7 @@ ContactModel<dim>::ContactModel(std::unique_ptr<SolidModel> model, const v1::Cas
                             spacing);
   neighborhood_.hold(empty_rows(H_));
   for (const v1::Body& body : the_case.solid().body()) carrier_.emplace_back(motion_of(the_case, body));
-  step_ = windows_share * the_case.time().window();
+  step_ = windows_share * expected_window(the_case);
   if (const double speed = fall_speed<dim>(the_case, neighborhood_.vertices()); speed > 0)
     step_ = std::min(step_, fall * spacing / speed);
   if (model_->substep() > 0) step_ = std::min(step_, beside_springs * model_->substep());

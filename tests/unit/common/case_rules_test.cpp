@@ -150,6 +150,8 @@ const Spoiled table[] = {
      "output.frame_interval: 0.0005 must be >= time.window = 0.001"},
     {"FixedWindowsThatDoNotDivideTheEnd", "window = 1.0e-3", "window = 0.003\nstepping = \"fixed\"",
      "time.end: 0.1 must be a whole number of windows of 0.003", "end    ="},
+    {"FixedWindowsWithoutASize", "window = 1.0e-3", "stepping = \"fixed\"",
+     "time.window: missing, fixed windows need it", "[time]"},
 };
 
 class SpoiledCase : public ::testing::TestWithParam<Spoiled> {};

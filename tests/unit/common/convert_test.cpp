@@ -68,6 +68,21 @@ TEST(Surface, CarriesModesBitForBitAndRefusesThoseThatAreNoNumbers) {
   EXPECT_TRUE(received.modes.empty());
 }
 
+TEST(Surface, CarriesTheFrequencyAndRejectsNaNAndNegativeOnes) {
+  Surface sent = random_surface(4);
+  sent.frequency = 12.5;
+  v1::Motion motion;
+  encode_motion(sent, motion);
+  Surface received = random_surface(4);
+  decode_motion(motion, received);
+  EXPECT_EQ(received.frequency, 12.5);
+  for (const double wrong : {nan, -1.0}) {
+    motion.set_frequency(wrong);
+    EXPECT_THAT([&] { decode_motion(motion, received); },
+                ThrowsMessage<Error>(HasSubstr("must be finite and >= 0")));
+  }
+}
+
 TEST(Surface, SparesTheRampIncrementWhereItIsZeroAndResetsItOnArrival) {
   Surface sent = random_surface(3);
   sent.ramp_increment.setZero();

@@ -95,7 +95,8 @@ TEST(EquationDivergence, ByBodiesIsZeroWhereNoneIsSeenAndTheSameWhereOneIs) {
   for (int i = 0; i < particles.size(); ++i)
     particles.u[i] = of_body(particles.kind[i]) ? Vec<2>(0.3, -1) : Vec<2>(0, 0);
   const auto all = divergence_of(tank);
-  const auto by_bodies = tank.equation.divergence_by_bodies(particles, tank.cloud.neighbors.grid());
+  const auto by_bodies =
+      tank.equation.divergence_by_bodies(particles, particles.u, tank.cloud.neighbors.grid());
   double largest = 0;
   for (std::size_t k = 0; k < all.size(); ++k) {
     EXPECT_NEAR(by_bodies[k], all[k], 1e-9);
@@ -156,7 +157,7 @@ struct Patch {
       if (std::isnan(divergence[k])) continue;
       ++known;
       const int i = equation.unknowns()[k];
-      const double d = near_divergence<2>(particles, neighbors, i, reference.n0, Vec<2>::Zero());
+      const double d = near_divergence<2>(particles, particles.u, neighbors, i, reference.n0, Vec<2>::Zero());
       wide += std::pow(divergence[k] - exact(particles.x[i]), 2);
       near += std::pow(d - exact(particles.x[i]), 2);
     }

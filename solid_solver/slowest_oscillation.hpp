@@ -1,0 +1,14 @@
+// How fast the structure oscillates: what the water's pressure has to follow.
+#pragma once
+
+#include "solid_solver/solid_model.hpp"
+
+namespace cosurge {
+
+/// Angular frequency [rad/s] in vacuum of the slowest oscillation of each body, the highest of all bodies. A
+/// body on springs counts with its fastest one. 0 where nothing oscillates: rigid bodies. Deformable bodies:
+/// the first mode of finite elements (docs/method_solid.md, section 9).
+/// @param model of the case
+double slowest_oscillation(const v1::Case& the_case, const SolidModel& model);
+
+}  // namespace cosurge
