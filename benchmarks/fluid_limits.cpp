@@ -38,7 +38,7 @@ double noise(const std::vector<double>& t, const std::vector<double>& p, double 
   return count > 0 ? std::sqrt(sum / count) : 0;
 }
 
-/// Kinetic energy and that of the weight [J/m].
+/// Kinetic energy, and energy of the weight [J/m].
 double energy(const Mps<2>& mps, double l0) {
   double sum = 0;
   for (int i = 0; i < mps.particles().size(); ++i)

@@ -24,7 +24,7 @@ struct Block {
   int columns, rows;
   bool clamped;
   double poisson_ratio;
-  double stabilisation = 1;  // of `hamiltonian`
+  double stabilisation = 1;  // parameter of `hamiltonian`
 };
 
 template <typename Body, typename... Choice>
@@ -41,9 +41,9 @@ double pressure_speed(const Block& block) {
       .pressure_speed();
 }
 
-/// Each particle gets a velocity of its own, up to `speed`: all motions that the lattice has, the shortest
-/// most. Returns the kinetic energy that is left, or made, after ten periods of the first mode over that of
-/// the start; infinite where a particle became faster than the waves.
+/// Gives each particle a random velocity up to `speed`, which excites all motions of the lattice, mostly the
+/// shortest ones. Returns the kinetic energy after ten periods of the first mode, relative to the start;
+/// infinite if a particle became faster than the waves.
 template <typename Body>
 double energy_left(Body body, const Block& block, double dt, double speed) {
   std::mt19937_64 random(7);
@@ -92,7 +92,7 @@ struct Spectrum {
   Eigen::MatrixXd shape;
 };
 
-/// Of the undeformed body, from the differences of its forces.
+/// Spectrum of the undeformed body, from differences of its forces.
 Spectrum spectrum(const Block& block) {
   using Body = hamiltonian::HamiltonianBody<2>;
   Body body = make<Body>(block, block.stabilisation);
@@ -118,8 +118,8 @@ Spectrum spectrum(const Block& block) {
           .shape = modes.eigenvectors()};
 }
 
-/// Of a vector over the particles: the change from a particle to its neighbours along both axes over the
-/// change from one to the next but one. 1 where it is smooth, large where it alternates.
+/// Ratio for a vector over the particles: change between neighbours along both axes, divided by the change
+/// between next-nearest neighbours. 1 for a smooth vector, large for an alternating one.
 double alternation(const Block& block, const Eigen::VectorXd& shape) {
   const auto at = [&](int i, int j) { return shape.segment<2>(2 * (j * block.columns + i)); };
   double near = 0, far = 0;

@@ -31,7 +31,7 @@ class BodySites {
   double spacing_;
   Index lower_;  // first cell of the block around the body
   CellBlock<dim> block_;
-  std::vector<char> taken_;  // of these
+  std::vector<char> taken_;  // whether the body takes each cell of the block
   std::vector<Vec<dim>> sites_;
 };
 

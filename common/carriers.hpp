@@ -5,14 +5,14 @@
 
 namespace cosurge {
 
-/// The motion of an obstacle: its own, or that of the tank.
+/// The motion of an obstacle: its own, or else the tank's.
 const v1::WallMotion& motion_of(const v1::Fluid& fluid, const v1::Obstacle& obstacle);
 
 /// Whether clamps, supports or springs hold the body, or its model `rigid` does.
 bool is_held(const v1::Solid& solid, const v1::Body& body);
 
-/// The motion of what holds a body: its own, or that of the obstacle in which its clamps lie, or that of the
-/// tank. None where nothing holds it.
+/// The motion of a body's holder: its own, else that of the obstacle in which its clamps lie, else the
+/// tank's. Empty if nothing holds the body.
 /// @throws Error where its clamps lie in things that move differently.
 v1::WallMotion motion_of(const v1::Case& the_case, const v1::Body& body);
 

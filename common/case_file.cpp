@@ -201,7 +201,7 @@ void resolve(Message& message) {
       for (int k = 0; is_message && k < reflection.FieldSize(message, &field); ++k)
         resolve(*reflection.MutableRepeatedMessage(&message, &field, k));
     } else if (is_message) {
-      const bool part = &type == v1::Case::descriptor();  // of the scene: absent means that there is none
+      const bool part = &type == v1::Case::descriptor();  // an absent part of the scene does not exist
       const bool absence_counts = part || rule_of(field).may_miss();
       const bool given = reflection.HasField(message, &field);
       if (!given && absence_counts) continue;

@@ -18,7 +18,7 @@ toml::table parse_value(const std::string& source, const std::string& value) {
   try {
     require_ascii(value, source);
     return toml::parse("value = " + value, source);
-  } catch (const std::runtime_error&) {  // of both
+  } catch (const std::runtime_error&) {  // require_ascii() and toml::parse()
     require(value.find_first_of("'\n\r") == std::string::npos,
             "{}: \"{}\" is neither a TOML value nor a word", source, value);
     return toml::parse("value = '" + value + "'", source);
@@ -74,7 +74,7 @@ void apply_override(toml::table& root, const std::string& text) {
 
 namespace {
 
-/// The value of a field, or an entry of a repeated one, where its type is none of tables.
+/// The value of a field, or one entry of a repeated field, whose type is not a table.
 template <typename Insert>
 void insert_value(const Message& message, const FieldDescriptor& field, int entry, const Insert& insert) {
   const auto& r = *message.GetReflection();

@@ -16,8 +16,7 @@
 namespace cosurge {
 namespace {
 
-constexpr double whole =
-    1e-6;  // of a spacing: what decimal numbers such as 0.146 / 0.002 may be off a whole number
+constexpr double whole = 1e-6;  // [spacings] tolerance for quotients of decimal numbers such as 0.146 / 0.002
 
 bool divides(double spacing, double length) {
   const double quotient = length / spacing;
@@ -52,7 +51,7 @@ NamedBox named_box(const std::string& key, const v1::Shape& shape, int dimension
 
 bool is_box(const v1::Shape& shape) { return shape.vertex().empty(); }
 
-/// Of bodies, around the outline too.
+/// Box of each body, or of its outline.
 std::vector<NamedBox> body_bounds(const v1::Solid& solid, int dimension) {
   std::vector<NamedBox> bounds;
   for (int i = 0; i < solid.body_size(); ++i)

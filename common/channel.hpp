@@ -93,8 +93,8 @@ class Channel {
   /// Bytes as they are: for tests of what the other side makes of them.
   void send_bytes(std::string_view bytes);
 
-  /// Sleeps until the next message is there. `awaited` says in errors what for. `limit`: of its bytes, where
-  /// it is less than that of the channel.
+  /// Sleeps until the next message arrives. `awaited` names it in errors. `limit`: largest size [bytes], if
+  /// it is smaller than the channel's.
   /// @throws PeerLost; Interrupted; Error where the message is too large or cannot be decoded.
   void receive(google::protobuf::Message& message, const std::string& awaited,
                std::size_t limit = std::numeric_limits<std::size_t>::max());

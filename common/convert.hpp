@@ -32,7 +32,7 @@ void encode(const Setup& setup, v1::Initialized& message);
 Setup decode(const v1::Initialized& message);
 
 void encode(const Report& report, v1::Advanced& message);
-/// `columns`: of the setup.
+/// `columns`: number of columns in the setup.
 Report decode(const v1::Advanced& message, std::size_t columns);
 
 void encode(const Snapshot& snapshot, v1::Snapshot& message);

@@ -45,7 +45,7 @@ int axis_of(const std::vector<Side>& sides) {
   return lengths[0] <= lengths[1] ? 0 : 1;
 }
 
-/// Of the pairs j < i that cross or are doubled the one with the smallest i, then j.
+/// The pair j < i of crossing or doubled sides with the smallest i, then the smallest j.
 struct Search {
   std::optional<Pair> found;
   bool given_up = false;

@@ -19,7 +19,7 @@ template <int dim>
 class FacetTree {
  public:
   struct Nearest {
-    Vec<dim> point;           // of the facets
+    Vec<dim> point;           // nearest point on the facets
     double distance_squared;  // infinite where there are no facets
   };
 
@@ -44,7 +44,7 @@ class FacetTree {
   void build(std::int32_t first, std::int32_t last);
 
   std::vector<Facet<dim>> facets_;    // in the order of the leaves
-  std::vector<std::int32_t> number_;  // of each in the order given
+  std::vector<std::int32_t> number_;  // index of each facet in the order given
   std::vector<Node> nodes_;
 };
 

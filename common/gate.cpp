@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint64_t most_of_a_stranger = std::uint64_t{128} << 10;  // [bytes]
 constexpr std::chrono::seconds time_of_handshake{5};  // after 3 s (line.cpp) ZeroMQ ends those without a key
 
-/// The local port of a TCP socket; 0 where it is none.
+/// The local port of a TCP socket; 0 if it is not a TCP socket.
 in_port_t port_of(int descriptor) {
   sockaddr_storage address{};
   socklen_t size = sizeof address;

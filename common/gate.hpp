@@ -18,9 +18,9 @@ class Gate {
   /// Connections at a time: a quarter of the files that this process may open, 256 at most.
   static std::size_t most();
 
-  Gate() = default;  ///< of a line that has no port: without effect
+  Gate() = default;  ///< for a line that has no port: without effect
 
-  /// `descriptor`: of the listening socket.
+  /// `descriptor`: the listening socket.
   explicit Gate(int descriptor) : descriptor_(descriptor) {}
 
   /// Descriptors of connections.
@@ -48,8 +48,7 @@ class Gate {
 
   int descriptor_ = -1;
   std::set<int> connections_;
-  std::map<int, Clock::time_point>
-      strangers_;  // of these, the ones without a handshake perhaps, and when they came
+  std::map<int, Clock::time_point> strangers_;  // start of connections without a finished handshake
   bool shut_ = false;
   bool closed_ = false;
 };

@@ -15,7 +15,7 @@ namespace {
 constexpr int heartbeat_interval = 250;     // [ms]
 constexpr int handshake_time = 3000;        // [ms] for whoever has connected over TCP to show its key
 constexpr double look_at_strangers = 0.01;  // [s] between looks at what they send
-constexpr int waiting_messages = 4;         // of a peer that sends what nobody has asked for
+constexpr int waiting_messages = 4;         // longest queue for a peer that sends unrequested messages
 constexpr int connect_time = 2000;          // [ms] until a coupler at whose gate others stand is tried again
 constexpr int watched_events = ZMQ_EVENT_LISTENING | ZMQ_EVENT_ACCEPTED | ZMQ_EVENT_HANDSHAKE_SUCCEEDED |
                                ZMQ_EVENT_HANDSHAKE_FAILED_NO_DETAIL | ZMQ_EVENT_HANDSHAKE_FAILED_PROTOCOL |
@@ -34,8 +34,8 @@ void check(const std::string& endpoint) {
       endpoint, longest_path);
 }
 
-/// One context for all lines of a process, so that one thread serves them: it is still awake when the message
-/// of one line brings about one on another.
+/// One context for all lines of a process, so that one thread serves them: it is still awake when a message
+/// on one line causes a message on another.
 std::shared_ptr<zmq::context_t> context_of_process() {
   static std::mutex mutex;
   static std::weak_ptr<zmq::context_t> shared;
@@ -92,7 +92,7 @@ std::unique_ptr<Line> Line::listen(const std::string& endpoint, std::size_t mess
     throw Error(fmt::format("cannot listen at {}: {}", endpoint, error.what()));
   }
   line->endpoint_ = line->socket_.get(zmq::sockopt::last_endpoint);
-  line->read_news();  // of the port, before anybody comes
+  line->read_news();  // read the port's number before any peer connects
   return line;
 }
 

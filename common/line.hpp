@@ -64,7 +64,7 @@ class Line {
 
   std::shared_ptr<zmq::context_t> context_;
   zmq::socket_t socket_;
-  zmq::socket_t monitor_;  // of socket_; unused within one process
+  zmq::socket_t monitor_;  // monitor of socket_; unused within one process
   std::string endpoint_;
   std::string server_key_;
   bool accepts_ = false;    // listens, so that others than the peer may knock

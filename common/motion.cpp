@@ -15,14 +15,14 @@ double monotone(double wanted, double secant) {
   return secant > 0 ? std::clamp(wanted, 0.0, 3 * secant) : std::clamp(wanted, 3 * secant, 0.0);
 }
 
-/// At a row between sides of lengths h, k and secants a, b: that of the parabola through the three rows, but
-/// 0 where the way turns or rests.
+/// Slope at a row between intervals of length h, k with secants a, b: slope of the parabola through the three
+/// rows, or 0 where the motion turns or rests.
 double inner_slope(double h, double k, double a, double b) {
   if (a * b <= 0) return 0;
   return monotone(monotone((k * a + h * b) / (h + k), a), b);
 }
 
-/// At the outer end of a side of length h and secant a, beside one of length k and secant b: of the parabola.
+/// Slope of the parabola at the outer end of an interval of length h, secant a, next to one of k, b.
 double end_slope(double h, double k, double a, double b) {
   return monotone(((2 * h + k) * a - h * b) / (h + k), a);
 }

@@ -48,7 +48,7 @@ class Motion {
   double frequency_;  // [Hz]; 0: a table, or no motion
   double phase_;
   double ramp_;               // [s]
-  std::vector<double> time_;  // of the table's rows
+  std::vector<double> time_;  // times of the table's rows
   std::vector<Pose> row_;
   std::vector<Pose> slope_;  // at the rows
 };

@@ -12,9 +12,9 @@
 namespace cosurge {
 namespace {
 
-constexpr double most_falls = 10;  // speed of a wall over that of a fall through the tank
-constexpr int samples = 1000;      // of the run's time
-constexpr double deep = 0.75;      // of a spacing: wall particles stand half a spacing inside
+constexpr double most_falls = 10;  // limit of the wall speed [speed of a fall through the tank]
+constexpr int samples = 1000;      // number of times checked in a run
+constexpr double deep = 0.75;      // [spacings]; wall particles lie half a spacing inside
 
 /// A prescribed motion, its key, and the box that moves by it.
 template <int dim>

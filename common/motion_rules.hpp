@@ -5,8 +5,8 @@
 
 namespace cosurge {
 
-/// That motions of the tank, of obstacles and of what holds bodies are complete, and that a body is held by
-/// what moves as one.
+/// Checks that the motions of tank, obstacles and holders of bodies are complete, and that the clamps and
+/// supports of one body move together.
 void check_motions(const v1::Case& c, CaseErrors& errors);
 
 }  // namespace cosurge

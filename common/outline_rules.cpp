@@ -109,7 +109,7 @@ std::string body_key(const v1::Solid& solid, int body) {
 }
 
 std::string too_few_corners(const v1::Shape& outline, int dimension) {
-  const int fewest = dimension == 2 ? 3 : 12;  // of a triangle, of a tetrahedron's triangles
+  const int fewest = dimension == 2 ? 3 : 12;  // for a triangle; for the four triangles of a tetrahedron
   const int corners = outline.vertex_size() / dimension;
   return corners < fewest ? fmt::format("the outline has {} corners, needs at least {}", corners, fewest)
                           : "";

@@ -20,7 +20,7 @@ struct Identity {
   Role role;
   std::string program;
   std::string version;
-  std::vector<int> dimensions;            ///< of the scenes it can compute
+  std::vector<int> dimensions;            ///< dimensions that it can compute
   std::vector<std::string> capabilities;  ///< calls beyond initialize and advance: "save", "frame"
 };
 
@@ -37,9 +37,9 @@ struct Interface {
 /// One of the structure's lowest modes: by another load, the velocity over the window becomes v + mobility
 /// (shape . force - load) shape.
 struct Mode {
-  Field shape;          ///< of the points for a unit of the mode [m]
-  double mobility = 0;  ///< of the velocity, for a unit of load on the mode [m/(N s)]
-  double load = 0;      ///< on the mode, that the motion was computed with [N]
+  Field shape;          ///< displacement of the points for a unit of the mode [m]
+  double mobility = 0;  ///< velocity for a unit of load on the mode [m/(N s)]
+  double load = 0;      ///< load on the mode that the motion was computed with [N]
 };
 
 /// What the solvers tell each other at the interface points: the solid fills the motion, the fluid the load.
@@ -48,7 +48,7 @@ struct Surface {
   Field velocity;      ///< [m/s] over the solid's last window: its mean, or that at the end, as the case says
   Field
       ramp_increment;  ///< [m] integral of velocity * (t - start) / size over the window; zero for held loads
-  std::vector<Mode> modes;   ///< of a motion that is predicted; none otherwise
+  std::vector<Mode> modes;   ///< modes of a predicted motion; empty otherwise
   double frequency = 0;      ///< angular frequency of the structure's slowest oscillation [rad/s]; 0: unknown
   Field force;               ///< [N] on the solid (per metre of width in two dimensions) = -pressure * area
   Eigen::VectorXd pressure;  ///< [Pa]

@@ -19,7 +19,7 @@ constexpr std::array<std::string_view, 12> fluid_columns = {"ppe_iterations",
                                                             "lost",
                                                             "inside_bodies",
                                                             "water"};
-// Of those with a direction, as the columns of displacement probes are.
+// Columns of quantities with a direction, named like those of displacement probes.
 constexpr std::array<std::string_view, 6> solid_columns = {
     "load_x", "load_y", "load_z", "contact_load_x", "contact_load_y", "contact_load_z"};
 

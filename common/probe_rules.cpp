@@ -22,8 +22,8 @@ bool in_the_tank(const v1::Box& tank, const v1::Probe& probe) {
   return true;
 }
 
-/// Displacement is a body's; a load is that of a body, an obstacle or a side of the tank; pressure is that on
-/// a face or in the water.
+/// A displacement needs a body; a load needs a body, an obstacle or a side of the tank; a pressure needs a
+/// face or water.
 void check_place(const v1::Case& c, const v1::Probe& probe, const std::string& key, CaseErrors& errors) {
   using On = ProbeMount::On;
   const ProbeMount mount = mount_of(c, probe);
@@ -46,7 +46,7 @@ void check_place(const v1::Case& c, const v1::Probe& probe, const std::string& k
   }
 }
 
-/// No column of a probe is that of another probe, or one that the results have without it.
+/// Checks that no two probes have the same column, and that no probe's column is one of the standard ones.
 void check_columns(const v1::Case& c, CaseErrors& errors) {
   std::map<std::string, int> taken;
   for (int i = 0; i < c.output().probe_size(); ++i) {

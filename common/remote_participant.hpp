@@ -69,7 +69,7 @@ class RemoteParticipant : public Participant {
   Identity identity_;
   v1::Request request_;
   v1::Reply reply_;
-  std::string place_;  // of the current call in the run, for errors
+  std::string place_;  // position of the current call in the run, for errors
   bool over_ = false;
   std::uint64_t sequence_ = 0;
   std::size_t columns_ = 0;

@@ -27,7 +27,7 @@ class Shape {
 
   bool is_box() const { return facets_.empty(); }
   const Box<dim>& bounds() const { return bounds_; }
-  const std::vector<Facet>& facets() const { return facets_; }  ///< of an outline; none for a box
+  const std::vector<Facet>& facets() const { return facets_; }  ///< facets of an outline; empty for a box
 
   /// The point of the boundary that is nearest to x.
   Vec<dim> nearest(const Vec<dim>& x) const;
@@ -57,7 +57,7 @@ v1::Shape shape_of(const v1::Box& box);
 /// The shape of a body, which the case gives as a box or as any shape.
 v1::Shape shape_of(const v1::Body& body);
 
-/// The first body in or on which a point lies, to rounding; -1 where there is none.
+/// The first body that contains a point, to rounding; -1: no body.
 int body_at(const v1::Solid& solid, const google::protobuf::RepeatedField<double>& position);
 
 }  // namespace cosurge

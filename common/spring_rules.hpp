@@ -5,7 +5,7 @@
 
 namespace cosurge {
 
-/// That the springs of the model `sprung` name motions that the scene has, each once, and of the three
+/// Checks that the springs of the model `sprung` name motions that the scene has, each once, and of the three
 /// rotations in space one or all; and that the pivot has the scene's dimension.
 void check_springs(const v1::Case& c, CaseErrors& errors);
 

@@ -77,8 +77,8 @@ std::vector<Cell> cells_of(const std::string& text, char separator) {
   return cells;
 }
 
-/// The lines that have cells. Semicolons part the cells of all lines where one line has them, and tabs those
-/// of all lines with commas: a comma is a part of a number there.
+/// The lines that have cells. If one line has semicolons, semicolons separate the cells of all lines;
+/// otherwise tabs separate the cells of lines with commas, because such a comma is part of a number.
 std::vector<Line> filled_lines(const std::string& text) {
   std::vector<std::pair<int, std::string>> lines;
   std::string separators;

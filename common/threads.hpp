@@ -13,7 +13,7 @@ inline constexpr const char* short_spin = "300";
 /// program anew in the same process. Call it first in main.
 void ensure_passive_waiting(char** argv);
 
-/// Of the parallel regions that the calling thread opens; 0 leaves it to OpenMP.
+/// Number of threads in the parallel regions of the calling thread; 0 leaves it to OpenMP.
 void set_threads(int threads);
 
 }  // namespace cosurge

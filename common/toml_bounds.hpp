@@ -7,7 +7,7 @@
 
 namespace cosurge {
 
-constexpr std::size_t most_key_parts = 16;  ///< of a dotted key; those of cases have four at most
+constexpr std::size_t most_key_parts = 16;  ///< limit for dotted keys; case keys have up to 4
 
 /// @throws Error "SOURCE:line: ..." where a key of `text` has more parts than that.
 void require_short_keys(std::string_view text, const std::string& source);

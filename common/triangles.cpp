@@ -170,7 +170,7 @@ class Surface {
   }
 
   std::vector<Triangle> triangles_;
-  std::vector<int> part_;  // of each triangle
+  std::vector<int> part_;  // part of each triangle
   std::vector<std::vector<std::size_t>> parts_;
   std::map<Edge, std::vector<std::size_t>> beside_;  // triangles at each edge
 };

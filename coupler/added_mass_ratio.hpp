@@ -1,4 +1,4 @@
-// An estimate, while a run goes, of the added mass over the structure's.
+// Estimates the ratio of the water's added mass to the structure's mass during a run.
 #pragma once
 
 #include "common/participant.hpp"
@@ -30,11 +30,11 @@ class AddedMassRatio {
  private:
   double value_ = 0;
   int seen_ = 0;        // windows, up to three
-  Field velocity_;      // of the last window
+  Field velocity_;      // in the last window
   Field acceleration_;  // into it
-  Field change_;        // of that acceleration
-  double product_ = 0;  // of successive changes, faded
-  double square_ = 0;   // of changes, faded
+  Field change_;        // change of that acceleration
+  double product_ = 0;  // product of successive changes, faded
+  double square_ = 0;   // square of changes, faded
 };
 
 }  // namespace cosurge

@@ -17,8 +17,8 @@ using certify::scene_for;
 using certify::size;
 using certify::to_end;
 
-constexpr double rounding = 1e-9;    // of what must be equal but for rounding
-constexpr double linear = 1e-3;      // of what must be equal where the structure is linear: loads are small
+constexpr double rounding = 1e-9;    // relative tolerance for values that may differ by rounding only
+constexpr double linear = 1e-3;      // relative tolerance where the structure is linear: loads are small
 constexpr double small_load = 1e-3;  // [N]
 
 /// One start of the program, with which the coupler speaks as in a run.

@@ -10,7 +10,7 @@ namespace cosurge {
 
 struct CertifyOptions {
   std::vector<std::string> command;    ///< the program and its arguments; --connect and --threads are added
-  std::vector<std::string> overrides;  ///< of the scene's case: solid.model=fem
+  std::vector<std::string> overrides;  ///< changes to the scene's case: solid.model=fem
   Role role = Role::solid;
   double patience = 30;  ///< longest wait for an answer [s]
 };

@@ -19,7 +19,7 @@
 namespace cosurge {
 namespace {
 
-constexpr int layout = 5;  // of states: to be raised whenever what is saved, or its order, changes
+constexpr int layout = 5;  // version of saved states: increase it when their content or order changes
 
 std::string signature() { return fmt::format("cosurge checkpoint {}, layout {}", version, layout); }
 
@@ -84,7 +84,7 @@ Checkpoint decode(const std::string& content, const std::filesystem::path& path)
   return checkpoint;
 }
 
-/// That a dataset reaches as far as the checkpoint says.
+/// Checks that a dataset reaches as far as the checkpoint says.
 std::vector<hsize_t> require_length(const H5::DataSet& dataset, const std::string& name, std::uint64_t needed,
                                     const Checkpoint& checkpoint) {
   std::vector<hsize_t> size = extent(dataset);
@@ -103,7 +103,7 @@ std::vector<double> column(const H5::H5File& file, const std::string& name, std:
   return first_rows(dataset, rows);
 }
 
-/// That an array has frames as the recorder writes them, of no more numbers than a message can have.
+/// Checks that an array has frames as the recorder writes them, and no more numbers than a message can hold.
 void require_frames(const std::vector<hsize_t>& size, const std::string& place) {
   constexpr hsize_t most = hsize_t{1} << 26;
   const bool array = size.size() == 2 || (size.size() == 3 && size[2] > 0);
@@ -144,8 +144,8 @@ Snapshot snapshot(const H5::H5File& file, const std::string& member, hsize_t ind
   return arrays;
 }
 
-/// That rows end where the checkpoint does: of another run they would not. The end of a window is off from
-/// the time of its frame by the rounding of a sum.
+/// Checks that rows end where the checkpoint does; those of another run do not. The end of a window differs
+/// from the time of its frame by rounding of a sum.
 void require_same_end(const std::vector<std::vector<double>>& columns, const Checkpoint& checkpoint) {
   if (checkpoint.windows == 0) return;
   const double time = columns[0].back(), window = columns[1].back();

@@ -11,7 +11,7 @@ namespace cosurge {
 /// A run at one instant: the resolved case and the state of coupler and participants.
 struct Checkpoint {
   static constexpr const char* name = "checkpoint";
-  static constexpr const char* name_before = "checkpoint.old";  ///< of the one before
+  static constexpr const char* name_before = "checkpoint.old";  ///< name of the previous checkpoint
 
   /// A solver of the run; its state is for the same program only.
   struct Solver {
@@ -53,7 +53,7 @@ class CheckpointWriter : public Observer {
   void window(const Window&, const Reports&, const std::vector<double>&) override {}
   void frame(double, const std::vector<Snapshot>&) override { write(); }
   void write();
-  double time() const { return time_; }  ///< of the last one [s]
+  double time() const { return time_; }  ///< time of the last window [s]
 
  private:
   std::filesystem::path folder_;

@@ -47,7 +47,7 @@ class Coupler {
 
   const std::vector<Member>& members() const { return members_; }
   const Interface& interface() const { return interface_; }
-  /// Of what the coupler itself reports of a window.
+  /// Columns that the coupler itself reports for a window.
   std::vector<Column> columns() const;
   const std::vector<std::string>& notes() const { return notes_; }  ///< what the scheme has decided, and why
   const InterfaceAccount& account() const { return account_; }

@@ -22,14 +22,14 @@ class InterfaceAccount {
   /// velocity that the water had for the load.
   void close(const Surface& surface, const Field& seen, const Window& window);
 
-  double work() const { return work_; }                            ///< done on the solid so far [J]
-  double seen_work() const { return seen_work_; }                  ///< the same by the fluid's account [J]
-  double created() const { return work_ - seen_work_; }            ///< by the coupling scheme [J]
-  double passed() const { return passed_; }                        ///< work of all windows, without signs [J]
-  Eigen::VectorXd force() const { return load_.rowwise().sum(); }  ///< on the solid in the last window [N]
+  double work() const { return work_; }                  ///< done on the solid so far [J]
+  double seen_work() const { return seen_work_; }        ///< the same by the fluid's account [J]
+  double created() const { return work_ - seen_work_; }  ///< energy created by the coupling scheme [J]
+  double passed() const { return passed_; }              ///< work of all windows, without signs [J]
+  Eigen::VectorXd force() const { return load_.rowwise().sum(); }  ///< on the solid, in the last window [N]
 
-  /// Share of passed() that created() stays below where the scheme holds: stable runs have less than 0.01,
-  /// unstable ones that suction, cut off, has bounded 0.1 to 2.
+  /// Limit of created() / passed() for a stable scheme. Stable runs stay below 0.01; unstable runs that are
+  /// bounded by the cut-off of suction have 0.1 to 2.
   static constexpr double much = 0.05;
 
   static std::vector<Column> columns(int dimension);
@@ -43,7 +43,7 @@ class InterfaceAccount {
   double work_ = 0;
   double seen_work_ = 0;
   double passed_ = 0;
-  Field load_;          // of the last window
+  Field load_;          // in the last window
   Field displacement_;  // at its start
 };
 

@@ -54,7 +54,7 @@ class LatticeMesh {
 
   /// Unless the particle stands on no site of a body.
   void add(const float* values, std::size_t number) {
-    constexpr double near = 0.01;  // of a spacing: what float leaves of a position
+    constexpr double near = 0.01;  // [spacings] tolerance for positions rounded to float
     Site<dim> site;
     Vec<dim> x;
     for (int k = 0; k < dim; ++k) {

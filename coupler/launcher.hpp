@@ -41,7 +41,7 @@ class Solver {
   /// The command that starts the solver by hand.
   const std::string& how_to_start() const { return how_to_start_; }
 
-  /// To be called ten times a second while another solver is joined: see Channel.
+  /// Must be called ten times a second while another solver is joined: see Channel.
   void turn_away_strangers() {
     if (channel_) channel_->turn_away_strangers();
   }

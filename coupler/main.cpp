@@ -103,7 +103,7 @@ std::size_t difference(const std::string& a, const std::string& b) {
   return d[a.size()][b.size()];
 }
 
-/// What to say of a word in the place of a command that is none; empty where it is one.
+/// The message for a word that is not a command; empty if it is one.
 std::string unknown_command(const CLI::App& app, const std::string& word) {
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))

@@ -24,7 +24,7 @@ class MapCell {
   /// An empty identity: the row is not taken over by another map. @throws Error when it cannot be written.
   void write(const std::string& identity, const std::string& row) const;
 
-  std::string row() const;  ///< empty where there is none
+  std::string row() const;  ///< empty if there is no row
 
  private:
   std::string line(int number) const;

@@ -217,7 +217,7 @@ const H5FD_class_t& driver_class() {
   return description;
 }
 
-/// Of the index, HDF5 would keep up to 32 MB in memory.
+/// HDF5 would keep up to 32 MB of the index in memory.
 void bound_cache(hid_t access) {
   constexpr std::size_t most = std::size_t{1} << 20;
   H5AC_cache_config_t cache{};

@@ -6,8 +6,8 @@
 namespace cosurge {
 
 /// HDF5 writes its index (tables of chunks, lengths of datasets) in any order; a reader between two of these
-/// writes, or a process that ends there, would see lengths without their numbers. This driver keeps changes
-/// of the index in memory until commit(), and then writes
+/// process that ends between two of these writes, would see lengths without numbers. This driver keeps
+/// changes of the index in memory until commit(), and then writes
 ///   1. numbers, and parts of the index that nothing refers to yet,
 ///   2. how far the file reaches,
 ///   3. tables of chunks, those of higher levels first,

@@ -38,7 +38,7 @@ class Progress : public Observer {
   std::string coupling_text(const std::vector<double>& values) const;
 
   double end_;
-  std::vector<Column> columns_;  // of the coupler's own values
+  std::vector<Column> columns_;  // columns of the coupler's own values
   std::vector<Quantity> quantities_;
   std::FILE* out_;
   bool terminal_;

@@ -10,9 +10,9 @@ namespace cosurge {
 struct Provenance {
   std::string case_file;               ///< absolute path; empty: not known
   std::vector<std::string> overrides;  ///< "key=value" in place of the file's
-  std::vector<std::string> changes;    ///< by resumptions: "t = 0.5 s: time.end: 0.5, now 1"
+  std::vector<std::string> changes;    ///< changes by resumptions: "t = 0.5 s: time.end: 0.5, now 1"
 
-  /// Of a run that begins.
+  /// For a new run.
   static Provenance of_case(const std::string& path, const std::vector<std::string>& overrides);
 
   /// From the results of a run; what they do not say is empty.

@@ -33,7 +33,7 @@ std::string without_prefix(const std::string& name, const std::string& owner) {
   return name.starts_with(owner + "_") ? name.substr(owner.size() + 1) : name;
 }
 
-/// The array of this name, with or without the member's in front; null where there is none.
+/// The array of this name, with or without the member's name in front; null if there is no such array.
 const Array* find_array(const Snapshot& snapshot, const std::string& member, const std::string& name) {
   const auto found = std::find_if(snapshot.begin(), snapshot.end(), [&](const Array& array) {
     return without_prefix(array.name, member) == name;
@@ -56,8 +56,8 @@ std::vector<XdmfArray> arrays_of(const std::string& member, const Snapshot& firs
   return arrays;
 }
 
-/// That a frame has the arrays of the first one, in any order: else they would be of unequal length in the
-/// results. @throws Error
+/// Checks that a frame has the arrays of the first one, in any order: else they would be of unequal length in
+/// the results. @throws Error
 void require_same_arrays(const XdmfCloud& cloud, const Snapshot& now) {
   const std::vector<XdmfArray> arrays = arrays_of(cloud.name, now);
   require(arrays.size() == cloud.arrays.size(),
@@ -133,7 +133,7 @@ Snapshot Recorder::with_displacement(const Snapshot& solid) {
   const Array* position = find_array(arrays, "solid", "position");
   if (position == nullptr) return arrays;
   if (frame_times_.empty()) undeformed_ = position->values;
-  if (find_array(arrays, "solid", "displacement") != nullptr) return arrays;  // of a run that was resumed
+  if (find_array(arrays, "solid", "displacement") != nullptr) return arrays;  // resumed run
   Array displacement{
       .name = "displacement", .unit = "m", .components = position->components, .values = position->values};
   for (std::size_t k = 0; k < std::min(undeformed_.size(), displacement.values.size()); ++k)

@@ -27,12 +27,12 @@ namespace cosurge {
 
 class Recorder : public Observer {
  public:
-  static constexpr int format = 1;  ///< of results.h5: a change that an old reader misreads
+  static constexpr int format = 1;  ///< version of results.h5; raised when old readers would fail
   static constexpr const char* results_name = "results.h5";
   static constexpr const char* xdmf_name = "results.xdmf";
 
   /// Creates the files in `folder`, which exists. @throws Error when they cannot be written or exist already.
-  /// `name`: of the HDF5 file.
+  /// `name`: name of the HDF5 file.
   Recorder(const std::filesystem::path& folder, const v1::Case& the_case, const std::vector<Member>& members,
            const Interface& interface, const std::vector<Column>& coupling_columns,
            const Provenance& provenance = {}, const std::string& name = results_name);
@@ -58,7 +58,7 @@ class Recorder : public Observer {
   // What the summary tells.
   const v1::Case& the_case() const { return case_; }
   const std::vector<Member>& members() const { return members_; }
-  /// "fluid/front", or null where there is none.
+  /// The history of this name, such as "fluid/front"; null if there is none.
   const History* history(const std::string& name) const;
   const std::vector<History>& histories() const { return histories_; }
   std::uint64_t windows() const { return windows_; }
@@ -82,8 +82,8 @@ class Recorder : public Observer {
   std::vector<double> frame_times_;
   std::vector<XdmfCloud> clouds_;
   std::vector<float> undeformed_;  // positions of the structure in the first frame
-  Clock::time_point xdmf_end_;     // of the last writing
-  Clock::duration xdmf_cost_{};    // of it
+  Clock::time_point xdmf_end_;     // end of the last writing
+  Clock::duration xdmf_cost_{};    // duration of the last writing
   bool xdmf_waits_ = false;
   std::uint64_t windows_ = 0;
   double time_ = 0;

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Makes a folder and those around it. False where it is there already: of many who try, one makes it.
+/// Makes a folder and its parents. False if it exists: of several callers at once only one makes it.
 bool make(const fs::path& folder) {
   std::error_code failed;
   if (folder.has_parent_path()) fs::create_directories(folder.parent_path(), failed);

@@ -6,7 +6,7 @@
 
 namespace cosurge {
 
-/// The case's name: that of the folder its file is in, also where the path is "." or "..".
+/// The case's name, which is the name of the folder of its file, also for the paths "." and "..".
 std::string case_name(const std::filesystem::path& case_path);
 
 /// A folder that no other run has while this lives: a lock of the system (flock), which ends with the process

@@ -63,7 +63,7 @@ std::string Results::attribute(const std::string& name) const {
 
 v1::Case Results::the_case() const {
   google::protobuf::util::JsonParseOptions options;
-  options.ignore_unknown_fields = true;  // of another version
+  options.ignore_unknown_fields = true;  // written by another version
   v1::Case the_case;
   const auto status = google::protobuf::util::JsonStringToMessage(attribute("case"), &the_case, options);
   require(status.ok(), "{}: the case in it cannot be read: {}", path_.string(), status.ToString());

@@ -33,7 +33,7 @@ struct FrameArray {
 /// file cannot be read.
 class Results {
  public:
-  /// The results.h5 at `place`, the file itself or its folder. @throws Error where there is none.
+  /// The results.h5 at `place`, the file itself or its folder. @throws Error if there is none.
   static std::filesystem::path file_at(const std::filesystem::path& place);
 
   /// `place`: folder of the results, or the results.h5 in it.
@@ -43,7 +43,7 @@ class Results {
   const std::filesystem::path& file() const { return path_; }
   std::filesystem::path folder() const { return path_.parent_path(); }
 
-  /// An attribute of the root; empty where there is none.
+  /// An attribute of the root; empty if there is none.
   std::string attribute(const std::string& name) const;
 
   /// The case with all its defaults, as the run ended.

@@ -16,7 +16,7 @@ namespace {
 // be lost.
 constexpr std::array may_change = {"time.",         "coupling.",       "output.frame_interval",
                                    "fluid.courant", "fluid.pressure.", "fluid.most_lost"};
-constexpr std::size_t most_shown = 10;  // of differences from the file
+constexpr std::size_t most_shown = 10;  // largest number of listed differences
 
 bool may(const std::string& key) {
   return std::any_of(may_change.begin(), may_change.end(),

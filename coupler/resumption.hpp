@@ -11,8 +11,8 @@ namespace cosurge {
 
 /// A run that goes on.
 struct Resumption {
-  Checkpoint checkpoint;  ///< its case is that of now
-  bool same_scheme;       ///< whether the coupling is that of the state
+  Checkpoint checkpoint;  ///< its case is the present one
+  bool same_scheme;       ///< whether the coupling scheme is that of the saved state
   Provenance provenance;
 };
 

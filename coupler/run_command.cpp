@@ -125,7 +125,7 @@ class Solvers {
 /// What is run: a case from its beginning, or a resumption.
 struct Job {
   v1::Case the_case;
-  fs::path folder;  // of the results
+  fs::path folder;  // folder of the results
   Provenance provenance;
   const Resumption* resumption = nullptr;
 };
@@ -139,7 +139,7 @@ std::unique_ptr<Recorder> make_recorder(const Job& job, const Coupler& coupler) 
   const fs::path results = job.folder / Recorder::results_name;
   if (job.resumption == nullptr) return make(results.filename());
   const fs::path fresh = results.string() + ".new";
-  fs::remove(fresh);  // of a resumption that was cut off
+  fs::remove(fresh);  // left by an interrupted resumption
   std::unique_ptr<Recorder> recorder;
   try {
     recorder = make(fresh.filename());

@@ -13,7 +13,7 @@ struct RunOptions {
   bool in_process = false;  ///< solvers as threads of this process
   std::vector<std::string> by_hand;  ///< "fluid", "solid=tcp://*:5555": solvers that somebody else starts
   std::string solid;                 ///< command of a program in place of solid_solver; empty: none
-  int threads = 0;                   ///< of the fluid solver; 0: one a core
+  int threads = 0;                   ///< threads of the fluid solver; 0: one per core
   double patience = 600;             ///< longest wait for a solver's answer [s]
 };
 

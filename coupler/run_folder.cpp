@@ -18,8 +18,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* prefix = "cosurge-run-";
 
-/// Locks a folder of this user and returns its descriptor; -1 where it is none, or is locked. Where the file
-/// system has no locks, -1 if one is `needed`, else the descriptor without one.
+/// Locks a folder of this user and returns its descriptor; -1 if it is not such a folder or is locked. Where
+/// the file system has no locks, -1 if one is `needed`, else the descriptor without one.
 int lock(const fs::path& folder, bool needed) {
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
   if (descriptor < 0) return -1;
@@ -31,7 +31,7 @@ int lock(const fs::path& folder, bool needed) {
   return -1;
 }
 
-/// Of runs that were killed. Whoever removes one has its lock.
+/// Removes folders of runs that were killed. The process that removes one holds its lock.
 void remove_abandoned(const fs::path& parent) {
   std::error_code failed;
   for (fs::directory_iterator entry(parent, failed), end; !failed && entry != end; entry.increment(failed)) {

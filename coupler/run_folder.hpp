@@ -5,9 +5,9 @@
 
 namespace cosurge {
 
-/// A new folder for the sockets and connection files of one run, which nobody else may enter; it goes with
-/// this object. Those of this user's runs that were killed are removed before, since they hold keys: a lock
-/// of the system (flock), which ends with the process, tells them from those in use.
+/// A new folder for the sockets and connection files of one run, which no other user may enter; it is removed
+/// with this object. Folders of this user's killed runs are removed first, because they hold keys. A system
+/// lock (flock), which ends with its process, marks the folders in use.
 class RunFolder {
  public:
   /// @throws Error when it cannot be made.

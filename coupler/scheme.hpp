@@ -20,7 +20,7 @@ using Reports = std::vector<Report>;
 /// What a scheme says of the last window.
 struct Effort {
   int iterations = 1;     ///< times that the fluid went through it
-  double residual = 0;    ///< by how much the velocity that the water saw was wrong, relative
+  double residual = 0;    ///< relative error of the velocity that the water saw
   std::string note;       ///< what the scheme has decided after the window, and why; mostly nothing
   bool converged = true;  ///< false: a scheme that iterates has given up; the nearest iteration counts
   bool settled = true;    ///< false: it may turn out later that the window has to be gone through again

@@ -23,7 +23,7 @@ void set_box(v1::Box& box, double x0, double y0, double x1, double y1) {
   for (const double value : {x1, y1}) box.add_max(value);
 }
 
-/// The case `sprung_piston`, of a piston with `mass` [kg].
+/// The case `sprung_piston` with a piston of `mass` [kg].
 v1::Case piston(double mass, v1::Coupling::Scheme scheme) {
   v1::Case c;
   c.set_title("selftest");
@@ -88,7 +88,7 @@ bool report(bool ok, const std::string& text) {
 
 /// The first half swing against pi sqrt((m + rho H) / k).
 bool check_frequency(double mass, v1::Coupling::Scheme scheme) {
-  constexpr double near = 0.08;  // of it: the water of 40 particles' depth lacks 9 % of its added mass
+  constexpr double near = 0.08;  // tolerance; water of 40 particles' depth lacks 9 % of its added mass
   const double exact = std::sqrt(stiffness / (mass + water_mass)) / (2 * std::numbers::pi);
   const double found = 0.5 / run(mass, scheme).half_period;
   return report(std::abs(found / exact - 1) < near,
@@ -98,7 +98,7 @@ bool check_frequency(double mass, v1::Coupling::Scheme scheme) {
 
 /// `weak` with the velocity at the end and a held load is stable up to a ratio of 1.
 bool check_limit(double ratio, bool stable) {
-  constexpr double created = 0.08;  // of the work: stable runs have less, unstable ones more
+  constexpr double created = 0.08;  // share of the work: stable runs have less, unstable ones more
   const Outcome outcome = run(water_mass / ratio, v1::Coupling::weak);
   const bool found = outcome.ended && outcome.created < created;
   return report(found == stable, fmt::format("weak, water {:.3g} times the piston: {}, theory says {}", ratio,

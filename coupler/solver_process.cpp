@@ -69,7 +69,7 @@ struct Start {
   _exit(written < 0 ? 2 : 1);
 }
 
-/// Of a system call that came before: `error` is what it has left in errno.
+/// Throws for a failed system call: `error` is its errno.
 void require_call(bool ok, int error, const std::string& subject, const char* what) {
   require(ok, "{}: {}: {}", subject, what, std::strerror(error));
 }

@@ -54,7 +54,7 @@ class SolverProcess {
 
   pid_t pid_ = -1;
   std::filesystem::path log_;
-  std::uintmax_t log_begin_ = 0;  // of what this child says in it
+  std::uintmax_t log_begin_ = 0;  // where this child's output begins in it
   std::optional<int> status_;     // as of waitpid
 };
 

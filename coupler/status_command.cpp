@@ -33,7 +33,7 @@ std::string state_of(const fs::path& folder) {
   return summary.value("status", "unknown") + (reason.empty() ? "" : ": " + reason);
 }
 
-/// By the time between the last two frames.
+/// Speed from the time between the last two frames.
 std::string speed_of(const fs::path& folder, const Checkpoint& last) {
   const fs::path path = folder / Checkpoint::name, before_path = folder / Checkpoint::name_before;
   if (!fs::exists(before_path)) return "";

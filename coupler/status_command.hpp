@@ -6,10 +6,10 @@
 
 namespace cosurge {
 
-/// What there is to say of the run in a folder, on some lines: whether it goes on; the time reached at the
-/// last frame, of which end; the speed between the last two frames, and the time left at it [h:mm:ss]; how to
-/// go on with a run that has ended too early. Changes nothing.
-/// @throws Error where no run is there.
+/// Describes the run in a folder, on several lines: whether it is still running; the time of the last frame
+/// and the end time; the speed between the last two frames, and the estimated time left [h:mm:ss]; how to
+/// resume a run that has ended too early. Changes nothing.
+/// @throws Error if there is no run in the folder.
 std::string status_of(const std::filesystem::path& folder);
 
 }  // namespace cosurge

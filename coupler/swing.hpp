@@ -20,7 +20,7 @@ class Swing : public Observer {
   std::size_t windows() const { return time_.size(); }
   double end() const { return time_.empty() ? 0 : time_.back(); }  ///< [s]
   double iterations() const;                                       ///< a window, the mean
-  double largest_ratio() const;                                    ///< of added mass, as estimated
+  double largest_ratio() const;                                    ///< largest estimated added mass ratio
 
   /// rms change of the load from window to window in the last quarter of the run over that in the second.
   double alternation() const;
@@ -32,12 +32,12 @@ class Swing : public Observer {
   /// second window.
   bool alternates() const;
 
-  /// Of a run that has reached its end. "growing": it alternates(), or the scheme has created more than a
-  /// twentieth of the work that passed; "draining": it has destroyed as much; otherwise "stable".
+  /// Judgement of a run that has reached its end. "growing": it alternates(), or the scheme has created more
+  /// than a twentieth of the work that passed; "draining": it has destroyed as much; otherwise "stable".
   const char* judgement() const;
 
-  /// Of the first displacement probe's component that moves most, between the first and the last upward
-  /// passage through its mean over the second half of the run [Hz]; 0 where there are less than two.
+  /// Frequency of the most-moving component of the first displacement probe, from the first to the last
+  /// upward passage through its mean over the second half of the run [Hz]; 0 with fewer than two passages.
   double frequency() const;
   double peak() const;       ///< its largest value [m]
   double peak_time() const;  ///< [s]

@@ -10,7 +10,7 @@ namespace cosurge {
 namespace {
 
 constexpr double rounding_of_quotient = 1e-12;
-constexpr double rounding = 1e-9;  // of a window: how far times may be off by the rounding of sums
+constexpr double rounding = 1e-9;  // tolerance for rounded sums of times [windows]
 
 }  // namespace
 
@@ -20,7 +20,7 @@ WindowSchedule::WindowSchedule(const v1::Case& the_case)
       frame_interval_(the_case.output().frame_interval()) {}
 
 double WindowSchedule::landing() const {
-  // Time is exactly that of a frame, or between two; the end of an earlier case may lie between two.
+  // The time is exactly that of a frame or between two; the end of an earlier case may lie between two.
   const double passed = std::floor(time_ / frame_interval_ + rounding_of_quotient);
   return std::min(time_table_.end(), (passed + 1) * frame_interval_);
 }

@@ -21,7 +21,7 @@ class WindowSchedule {
 
   void save(StateWriter& state) const;
 
-  /// Of a case whose windows, frames and end may have been others.
+  /// For a case whose windows, frames and end may have changed.
   /// @throws Error where fixed windows do not reach the time that is restored.
   void restore(StateReader& state);
 

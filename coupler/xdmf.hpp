@@ -21,13 +21,13 @@ struct XdmfCloud {
   std::vector<XdmfArray> arrays;
   std::string mesh = "";    ///< where the corners of the cells lie in the HDF5 file: "/mesh/fluid"
   std::uint64_t cells = 0;  ///< as many rows has it
-  int corners = 1;          ///< of a cell: 1, 4 (quadrilaterals) or 8 (hexahedra)
+  int corners = 1;          ///< corners per cell: 1, 4 (quadrilaterals) or 8 (hexahedra)
 };
 
 /// An XDMF 3 document: a temporal collection of grids for every cloud that has positions and cells. Frames
 /// are picked out of their arrays as ParaView's default readers (Xdmf3ReaderS, Xdmf3ReaderT) understand it,
 /// "FILE:PLACE|start:stride:count:extent"; items of the type HyperSlab crash these.
-/// `file`: name of the HDF5 file beside it; `times`: of the frames [s].
+/// `file`: name of the HDF5 file beside it; `times`: times of the frames [s].
 std::string xdmf(const std::string& file, const std::vector<double>& times,
                  const std::vector<XdmfCloud>& clouds);
 

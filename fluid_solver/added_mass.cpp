@@ -9,18 +9,18 @@
 namespace cosurge::fluid {
 namespace {
 
-// Of the residual: 1e-2 left the frequency of a piston in heavy water 6 % off, 1e-3 leaves 1e-5 of the added
-// mass.
+// Relative residual. With 1e-2 the frequency of a piston in heavy water was 6 % wrong; with 1e-3 the added
+// mass is wrong by 1e-5.
 constexpr double mode_tolerance = 1e-3;
 constexpr int most_iterations = 500;
 
-// Windows in which a mode's pressure is solved for once; in the others it is what it was.
+// Each mode's pressure is solved for once in this many windows; in the others the last solution is used.
 constexpr int refresh_interval = 4;
 
 constexpr int most_newton_steps = 30;
 
-// Of the accelerations, between those that a pressure was solved for and those that agree with it, where a
-// scheme iterates: a tenth of what its tolerance is by default.
+// Largest relative change of the accelerations in an iterated window; a tenth of the coupling's default
+// tolerance.
 constexpr double consistent = 1e-4;
 constexpr int most_answers = 5;
 
@@ -44,8 +44,7 @@ Eigen::VectorXd consistent_accelerations(const ModalLoad& load) {
   return c;
 }
 
-/// Right-hand side of the pressure equation for an acceleration of the bodies by `shape`, a vector for each
-/// point.
+/// Right-hand side of the pressure equation for the body acceleration `shape`, one vector per point.
 template <int dim>
 std::vector<double> AddedMass<dim>::right_hand_side(const Step& step, const Field& shape) const {
   const std::vector<double> divergence = body_divergence(step.bodies, shape);
@@ -93,8 +92,8 @@ void AddedMass<dim>::solve(const Step& step, const std::vector<double>& right_ha
   iterations_ += report.iterations;
 }
 
-/// Solves again, for the motion that the modes have with the accelerations c: so the pressure is that of the
-/// motion also where a mode's own pressure is old.
+/// Solves again for the motion of the modes with the accelerations c, so that the pressure fits this motion
+/// even where the pressure of a single mode is old.
 template <int dim>
 void AddedMass<dim>::answer(const Step& step, const Eigen::VectorXd& c, std::vector<double>& pressure) {
   Field motion = Field::Zero(dim, static_cast<Eigen::Index>(step.bodies.body_place.size()));
@@ -167,7 +166,7 @@ void AddedMass<dim>::couple(const Step& step, std::vector<double>& pressure) {
 
   Eigen::VectorXd c = Eigen::VectorXd::Zero(load.mobility.size());
   for (int k = 0; k < (step.attempt > 0 ? most_answers : 1); ++k) {
-    load.pressure = -load.per_acceleration * c;  // and what the motion with c has
+    load.pressure = -load.per_acceleration * c;  // and the pressure that the motion with c has
     for (std::size_t i = 0; i < points.size(); ++i)
       load.pressure[static_cast<Eigen::Index>(i)] += pressure[points[i].unknown];
     const Eigen::VectorXd next = consistent_accelerations(load);

@@ -13,8 +13,8 @@ namespace cosurge::fluid {
 
 /// What a motion of modes needs of the pressure on the wet points, r modes and n points.
 struct ModalLoad {
-  Eigen::VectorXd pressure;  ///< of the motion that the structure has predicted, suction included [Pa]
-  Eigen::MatrixXd per_acceleration;  ///< n x r: by a unit acceleration of each mode [Pa s2]
+  Eigen::VectorXd pressure;          ///< pressure for the predicted motion, negative values included [Pa]
+  Eigen::MatrixXd per_acceleration;  ///< n x r: pressure per unit acceleration of each mode [Pa s2]
   Eigen::MatrixXd on_modes;          ///< r x n: load of a unit pressure on each mode [N/Pa]
   Eigen::VectorXd
       mobility;  ///< acceleration that a unit of load on each mode means for the window [1/(N s2)]
@@ -39,23 +39,23 @@ class AddedMass {
     const std::vector<Vec<dim>>& body_areas;
     const std::vector<Vec<dim>>& face_load;  ///< beyond -P A on the body points [N]
     Preconditioner& preconditioner;
-    /// What the pressure equation's source changes by with the divergence of a change of the bodies'
-    /// velocity, by place [kg/(m3 s)]; empty where the source does not know the divergence.
+    /// Change of the pressure source per divergence of a change of the bodies' velocity, by place
+    /// [kg/(m3 s)]; empty if the source has no divergence.
     const std::vector<double>& source_per_change;
     double dt;
-    std::uint32_t attempt;   ///< at the window; 0: it is not gone through again
-    double tolerance;        ///< of the pressure's relative residual
+    std::uint32_t attempt;   ///< attempt number of the window; 0: the window is not repeated
+    double tolerance;        ///< relative residual of the pressure equation
     double lowest_pressure;  ///< what is below is cut off [Pa]
   };
 
-  /// Of the window to come; none where the scheme does without.
+  /// Sets the modes for the next window; empty if the scheme uses none.
   void set_modes(const std::vector<Mode>& modes) { modes_ = modes; }
 
   /// Changes the pressures of the unknowns, those of the predicted motion, to those that agree with the load
   /// on the modes.
   void couple(const Step& step, std::vector<double>& pressure);
 
-  double ratio() const { return ratio_; }  ///< of a mode's added mass to its mass in the window, the largest
+  double ratio() const { return ratio_; }  ///< largest ratio of a mode's added mass to its mass in the window
   int iterations() const { return iterations_; }  ///< for the modes in the last window
 
   void save(StateWriter& state) const;

@@ -27,10 +27,10 @@ struct Faces {
   /// reference neighbours, eq. (12). Zero inside.
   std::vector<Vec<dim>> area;
   /// Sum of a (x) a / |a| over the area vectors a of the point's wet lattice faces, deformed the same way:
-  /// times a pressure gradient and half a spacing, what the load on the faces has beyond that of the pressure
-  /// in the centre.
+  /// multiplied by a pressure gradient and half a spacing, this is the load on the faces minus the load of
+  /// the pressure at the centre.
   std::vector<Mat<dim>> spread;
-  /// Unit normals, towards the water; of inner points that of the nearest wet point.
+  /// Unit normals, towards the water; inner points have the normal of the nearest wet point.
   std::vector<Vec<dim>> normal;
   std::vector<Mat<dim>> cofactor;  ///< J F^-T of wet points
   std::vector<char> open;          ///< whether water can reach the point
@@ -82,7 +82,7 @@ class Bodies {
   std::vector<LatticeFaces<dim>> faces_;  // areas of the wet lattice faces
   std::vector<int> nearest_wet_;
   std::vector<int> body_;
-  std::vector<int> neighbor_begin_;  // of each point, and the end
+  std::vector<int> neighbor_begin_;  // first neighbour of each point, and the end
   std::vector<int> neighbor_;
 };
 

@@ -19,8 +19,8 @@ class BodyLoad {
 
  private:
   Vec<dim> about_;
-  std::vector<Eigen::Index> point_;                      // of the body, in the interface
-  std::vector<Vec<dim>> place_;                          // of these in the undeformed body
+  std::vector<Eigen::Index> point_;                      // indices of the body's points in the interface
+  std::vector<Vec<dim>> place_;                          // positions of these points in the undeformed body
   std::vector<std::pair<Eigen::Index, double>> around_;  // points and shares that move `about`
 };
 

@@ -13,7 +13,7 @@ struct CollisionLaw {
 
 /// Whether the face of a wall's or body's particle is where a water particle is: the face lies half a spacing
 /// before its particle, and as far to each side as the lattice leaves no gap. `way` [m] leads from the
-/// water's particle to that of the face with the unit normal n.
+/// water particle to the particle of the face, whose unit normal is n.
 template <int dim>
 bool at_face(const Vec<dim>& way, const Vec<dim>& n, double spacing) {
   constexpr double ahead = 0.5, aside = 0.75;  // spacings

@@ -20,7 +20,7 @@ class CoveredFaces {
                                   const std::vector<int>& place, const Particles<dim>& particles,
                                   const Neighbors<dim>& neighbors, double spacing);
 
-  /// Of each point, whether water is there or a film of it; the only state.
+  /// For each point, whether there is water or a film of water; the only state.
   const std::vector<char>& film() const { return film_; }
   std::vector<char>& film() { return film_; }
 

@@ -8,12 +8,12 @@ namespace cosurge::fluid {
 
 /// When a particle counts as free surface (Tsukamoto, Cheng & Motezuki 2016, doi 10.1002/fld.4213): eq. (5).
 struct FreeSurfaceCriterion {
-  double beta;   ///< of n0 [-]
+  double beta;   ///< threshold as a share of n0 [-]
   double delta;  ///< centroid deviation [m]
 };
 
-/// Number density n_i = sum of w(r_ij), eq. (2), of every particle with a pressure, and its free-surface flag
-/// by eqs. (4) and (5): n_i < beta n0 and |sum w x_ij| / sum w > delta. Particles with at most `few`
+/// Computes the number density n_i = sum of w(r_ij), eq. (2), for particles with pressure, and their surface
+/// flag by eqs. (4) and (5): n_i < beta n0 and |sum w x_ij| / sum w > delta. Particles with at most `few`
 /// neighbours are always free surface. All kinds count as neighbours.
 template <int dim>
 void density_and_free_surface(Particles<dim>& particles, const Neighbors<dim>& neighbors, double n0,

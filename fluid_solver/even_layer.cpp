@@ -8,7 +8,7 @@ namespace cosurge::fluid {
 namespace {
 
 constexpr double least_to_grid = 0.75;  // spacings between points of different grids
-constexpr double range = 1.3;           // spacings: of the repulsion
+constexpr double range = 1.3;           // range of the repulsion [spacings]
 constexpr double stiffness = 0.25;      // share of the overlap of ranges that a sweep removes
 constexpr double at_rest = 0.005;       // spacings: the largest move of a sweep after which there are no more
 
@@ -44,7 +44,7 @@ class Front {
     });
   }
 
-  /// The candidate that touches two points most closely without being nearer than `closest` to one; -1: none.
+  /// The candidate that touches two points most closely and is at least `closest` from all points; -1: none.
   std::int32_t next(double closest) {
     while (!queue_.empty()) {
       const auto [sum, k] = queue_.top();

@@ -20,7 +20,7 @@ struct PlaneOf {
   double offset;
 };
 
-/// Numbers facets by the plane that they lie in. A plane is that of its first facet.
+/// Numbers facets by the plane that they lie in. The first facet in a plane defines it.
 template <int dim>
 class PlaneGroups {
  public:
@@ -103,7 +103,7 @@ std::vector<FaceGrid<dim>> FaceGrid<dim>::faces(const std::vector<Facet<dim>>& f
   return faces;
 }
 
-/// The axes are along the edge for which the rectangle around the face is smallest.
+/// The axes follow the edge with the smallest rectangle around the face.
 template <int dim>
 FaceGrid<dim>::FaceGrid(const std::vector<Facet<dim>>& facets, const Vec<dim>& normal)
     : origin_(facets[0][0]), normal_(normal) {

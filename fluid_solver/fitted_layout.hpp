@@ -16,11 +16,11 @@ struct WallSite {
 };
 
 /// Fills an outline. The first layer, of kind `wall`, lies half a spacing below the outline; `dummy_layers`
-/// of dummies lie one spacing apart behind it. Along a layer particles are a spacing apart. Sites of the
-/// lattice stay where they are deeper than the layers, and where all of the outline near them lies on faces
-/// of lattice cells. Where the body is too thin for a layer, sites of the lattice fill it. An outline whose
-/// parts overlap is filled with sites of the lattice alone. With `tank`, facets of the outline in the tank's
-/// floor and side walls have no layers. The result does not depend on the number of threads.
+/// more layers of dummies lie one spacing apart behind it. Along a layer particles are a spacing apart. Sites
+/// of the lattice stay where they are deeper than the layers, and where all of the outline near them lies on
+/// faces of lattice cells. Where the body is too thin for a layer, sites of the lattice fill it. An outline
+/// whose parts overlap is filled with sites of the lattice alone. With `tank`, facets of the outline in the
+/// tank's floor and side walls have no layers. The result does not depend on the number of threads.
 template <int dim>
 std::vector<WallSite<dim>> fitted_layout(const Shape<dim>& shape, const std::optional<Box<dim>>& tank,
                                          int dummy_layers, double spacing);

@@ -131,7 +131,7 @@ class FluidParticipant::SceneOf : public Scene {
   }
 
  private:
-  static constexpr float lost_kind = 5;  // of a particle that has left the domain: it stands in the origin
+  static constexpr float lost_kind = 5;  // kind of a particle that has left the domain; it lies at the origin
 
   double spacing() const { return case_.fluid().spacing(); }
   double particle_mass() const { return case_.fluid().density() * std::pow(spacing(), dim); }

@@ -46,7 +46,7 @@ std::string LostWater<dim>::side_name(std::size_t side) {
 }
 
 /// The side wall, or the floor, that x, as the tank sees it, is farthest beyond; the top where it is beyond
-/// none but above; else the nearest wall.
+/// outside none but the top; else the nearest wall.
 template <int dim>
 std::size_t LostWater<dim>::side_of(const Vec<dim>& x, double t) const {
   constexpr std::size_t top = sides - 1;

@@ -46,7 +46,7 @@ class LostWater {
   double most_lost_;
   double water_;                      // particles at the start
   std::array<double, sides> lost_{};  // smaller, then larger side of each axis
-  std::vector<Vec<dim>> place_;       // of the particles before the step, by id
+  std::vector<Vec<dim>> place_;       // positions of the particles before the step, by id
   std::vector<char> here_;            // whether this one is water that was there
 };
 

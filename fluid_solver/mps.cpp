@@ -13,10 +13,10 @@
 namespace cosurge::fluid {
 namespace {
 
-// Times the speed of a fall or of a wall: no water is as fast.
+// Limit on the particle speed, as a multiple of the speed of a fall or of a wall.
 constexpr double beyond_physical = 10;
 
-// Of the tolerance where a step may be repeated: the scheme takes differences between loads.
+// Factor on the tolerance when a step may be repeated: the scheme takes differences between loads.
 constexpr double precise = 1e-2;
 
 /// Layers behind the wall: as many as complete the Laplacian of a particle in the wall.
@@ -32,7 +32,7 @@ PoissonParameters<dim> poisson_parameters(const v1::Fluid& fluid, const Vec<dim>
           .open_surface = fluid.source() == v1::Fluid::time_scale};
 }
 
-/// Default of the propagation speed: sqrt(g H), that of long waves, H the height of the water at the start.
+/// Default propagation speed: that of long waves, sqrt(g H), where H is the initial height of the water.
 template <int dim>
 double shallow_speed(const std::vector<Vec<dim>>& water, const Vec<dim>& gravity, double spacing) {
   double lowest = std::numeric_limits<double>::max();

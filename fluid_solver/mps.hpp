@@ -23,7 +23,7 @@ enum Phase : std::size_t { predicting, searching, evaluating, assembling, solvin
 /// What one step says of itself.
 struct StepReport {
   SolveReport pressure;
-  double max_speed = 0;   ///< of all fluid particles [m/s]
+  double max_speed = 0;   ///< largest speed of a fluid particle [m/s]
   double max_window = 0;  ///< largest next step [s]: eq. (17)
 };
 
@@ -126,7 +126,7 @@ class Mps {
 
   v1::Fluid parameters_;
   Vec<dim> gravity_;
-  ReferenceValues reference_;  // of the small radius
+  ReferenceValues reference_;  // for the small radius
   Walls<dim> walls_;
   Bodies<dim> bodies_;
   CoveredFaces<dim> covered_faces_;
@@ -144,20 +144,20 @@ class Mps {
   double max_body_speed_ = 0;
   double frequency_ = 0;  // of the structure's oscillation [rad/s]
   int first_body_id_ = 0;
-  Faces<dim> faces_;                           // of the bodies, deformed, by point
-  std::vector<Vec<dim>> face_load_;            // beyond -P A on the bodies' points [N]
-  std::vector<std::int32_t> body_place_;       // of each body point among the particles
+  Faces<dim> faces_;                           // deformed faces of the bodies, by point
+  std::vector<Vec<dim>> face_load_;            // load in addition to -P A on the bodies' points [N]
+  std::vector<std::int32_t> body_place_;       // particle index for each body point
   std::vector<int> seen_;                      // the point whose velocity the water sees in each body point
-  std::vector<Cover> covers_;                  // of walls, by place
+  std::vector<Cover> covers_;                  // covered walls, by place
   std::vector<Vec<dim>> areas_;                // A by place, for the pressure equation
-  std::vector<Vec<dim>> change_;               // of the velocity since the prediction, by place
-  std::vector<Vec<dim>> push_;                 // of the pressure on the velocity, by place
-  std::vector<double> source_;                 // of the pressure equation, by place
+  std::vector<Vec<dim>> change_;               // velocity change since the prediction, by place
+  std::vector<Vec<dim>> push_;                 // velocity change by the pressure, by place
+  std::vector<double> source_;                 // source of the pressure equation, by place
   std::vector<double> source_per_divergence_;  // by place [kg/(m3 s)]
   std::vector<double> source_per_change_;      // the same for a change of the bodies' velocity
-  Field last_body_velocity_;                   // in the window before, dimension x points [m/s]
-  std::vector<double> pressure_;               // of the unknowns
-  std::vector<Vec<dim>> predicted_x_;          // of a step that may be repeated, by place
+  Field last_body_velocity_;                   // velocity of the body points in the last window [m/s]
+  std::vector<double> pressure_;               // pressure of the unknowns
+  std::vector<Vec<dim>> predicted_x_;          // predicted positions of a step that may be repeated, by place
   std::vector<Vec<dim>> predicted_u_;
 };
 

@@ -104,7 +104,7 @@ double Mps<dim>::near_deviation(int i) const {
   return particles_.n[i] / reference_.n0 - 1;
 }
 
-/// The same by the smooth density, eq. (2b), of the small radius.
+/// The same deviation from the smooth density of the small radius, eq. (2b).
 template <int dim>
 double Mps<dim>::near_smooth_deviation(int i) const {
   double smooth = 1;
@@ -125,8 +125,8 @@ double Mps<dim>::unbiased_deviation(int i, double smooth) const {
   if (!open_surface()) return std::isnan(smooth) ? near_deviation(i) : smooth;
   const double near = near_smooth_deviation(i);
   if (std::isnan(smooth)) return std::max(0.0, near);
-  // Of the large radius by disorder, over that of the small one; beyond what disorder does there are gaps or
-  // jams.
+  // Deviation caused by disorder: that of the large radius divided by that of the small one. A deviation
+  // above `most` is not disorder but a gap or a jam.
   constexpr double bias = dim == 2 ? 0.17 : 0.07;
   constexpr double most = 0.1;
   const double disorder = std::max(0.0, 1 - std::abs(near) / most) * bias;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int loose = 3;  // neighbours up to which a particle flies freely and no longer limits the step
 constexpr double free_flight =
-    0.5;  // of l0 that such a particle may fly in a step: it must not pass a wall unseen
+    0.5;  // largest flight of such a particle in a step [l0], so that it cannot pass through a wall
 
 }  // namespace
 
@@ -32,7 +32,7 @@ void Mps<dim>::check_bounds(int water, int which, double fastest, double end) co
 /// Speeds, and the next step that they allow.
 template <int dim>
 StepReport Mps<dim>::survey(double end, double dt) {
-  double fastest = 0;  // of all
+  double fastest = 0;  // largest speed [m/s]
   double fastest_bound = std::max({max_body_speed_, walls_.speed(), walls_.speed_between(end, end + dt)});
   int which = -1;
   int water = 0;
@@ -62,7 +62,7 @@ double Mps<dim>::longest_step(double speed) const {
 template <int dim>
 double Mps<dim>::first_window(double longest) const {
   double window = std::min(longest, longest_step(max_body_speed_));
-  // Halved until the walls keep to it: a short window may have faster walls than a long one.
+  // Halved until it fits the wall speeds in it: walls may be faster in a short window than in a long one.
   while (window > longest_step(walls_.speed_between(0, window))) window /= 2;
   return window;
 }

@@ -6,8 +6,8 @@
 namespace cosurge::fluid {
 namespace {
 
-constexpr double rounding = 1e-5;  // of a spacing: outlines are often written with seven digits
-constexpr double exact = 2e-3;     // of a spacing
+constexpr double rounding = 1e-5;  // tolerance for outlines written with seven digits [spacings]
+constexpr double exact = 2e-3;     // [spacings]
 
 template <int dim>
 bool reaches_into(const Facet<dim>& facet, const Box<dim>& tank, double spacing) {

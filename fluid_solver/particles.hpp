@@ -28,9 +28,9 @@ struct Particles {
   std::vector<Vec<dim>> x;  ///< position [m]
   std::vector<Vec<dim>> u;  ///< velocity [m/s]
   std::vector<double> p;    ///< pressure [Pa]
-  std::vector<double> n;    ///< number density [-], of those with pressure
+  std::vector<double> n;    ///< number density [-], for particles with pressure
   /// Unit normal of the face of a wall or body that the particle belongs to, towards the water; zero where
-  /// none is known, and for water.
+  /// the normal is unknown, and for water.
   std::vector<Vec<dim>> normal;
   std::vector<Kind> kind;
   std::vector<std::int32_t> id;  ///< place in the initial order, for ever

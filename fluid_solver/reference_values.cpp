@@ -9,7 +9,7 @@ namespace cosurge::fluid {
 template <int dim>
 ReferenceValues reference_values(double re, double spacing) {
   static_assert(dim == 2 || dim == 3);
-  constexpr double edge = 1e-9;  // of r_e: rounding of sites that lie on the edge
+  constexpr double edge = 1e-9;  // tolerance for sites on the edge [r_e]
   const int reach = static_cast<int>(std::ceil(re / spacing));
   const int reach_z = dim == 3 ? reach : 0;
   double sum_w = 0;

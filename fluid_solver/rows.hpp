@@ -59,7 +59,7 @@ class Rows {
 
  private:
   int rows_ = 0;
-  std::vector<std::int32_t> offset_;  // of each row in its chunk's stretch, and of each chunk's end
+  std::vector<std::int32_t> offset_;  // offset of each row in its chunk's stretch, and the end of each chunk
   std::int64_t stretch_ = 0;          // entries a chunk has room for
   int share_ = 0;                     // entries a row has room for on average
 };

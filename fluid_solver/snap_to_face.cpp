@@ -9,7 +9,7 @@ namespace cosurge::fluid {
 template <int dim>
 Vec<dim> snap_to_face(const std::string& probe, const Vec<dim>& position, const Interface& interface,
                       double spacing) {
-  constexpr double rounding = 1e-6;  // of a spacing
+  constexpr double rounding = 1e-6;  // [spacings]
   double least = std::numeric_limits<double>::infinity();
   Vec<dim> nearest = position;
   for (Eigen::Index k = 0; k < interface.points(); ++k) {

@@ -10,14 +10,15 @@ namespace cosurge::fluid {
 
 struct SurfaceDamping {
   double thin;   ///< number density below which a particle is near the surface [-]
-  double share;  ///< of a relative velocity that full neighbours would take out in this step [-], at most 0.3
+  double share;  ///< share of a relative velocity that a full neighbourhood removes in this step [-], at most
+                 ///< 0.3
 };
 
 /// Eq. (7b): beside the surface, for a step `dt` [s] at the propagation speed c [m/s]: a relative velocity
 /// decays at half of c / l0, on lattice neighbours all around.
 inline SurfaceDamping surface_damping(double n0, double c, double spacing, double dt) {
-  constexpr double thin = 0.8;    // of n0: the outer layer of the lattice has 0.68
-  constexpr double rate = 0.5;    // of c / l0
+  constexpr double thin = 0.8;    // limit as a share of n0; the outer layer of the lattice has 0.68
+  constexpr double rate = 0.5;    // rate as a multiple of c / l0
   constexpr double stable = 0.3;  // explicit diffusion
   return {.thin = thin * n0, .share = std::min(stable, rate * dt * c / spacing)};
 }

@@ -10,8 +10,8 @@
 
 namespace cosurge::fluid {
 
-/// Sums the pressure over the face, in pieces of half a spacing. The pressure on a piece is that of the
-/// wall's particles behind it, carried to the face as eq. (15) does for bodies. Pieces in another wall, or
+/// Sums the pressure over the face, in pieces of half a spacing. The pressure on a piece is taken from the
+/// wall particles behind it and moved to the face as eq. (15) does for bodies. Pieces in another wall, or
 /// that a body touches, count as dry.
 template <int dim>
 class WallLoad {
@@ -20,7 +20,7 @@ class WallLoad {
   /// @param about the point about which the moment is taken, at the start; it moves with the wall [m]
   WallLoad(const Mps<dim>& mps, const ProbeMount& mount, const Vec<dim>& about);
 
-  /// The load at time `t` [s]. `place` is that of each particle by id.
+  /// The load at time `t` [s]. `place` is the place of each particle by id.
   Load<dim> read(const Mps<dim>& mps, const std::vector<std::int32_t>& place, double t) const;
 
  private:
@@ -32,7 +32,7 @@ class WallLoad {
                   const Vec<dim>& x) const;
   bool dry(const Mps<dim>& mps, const Vec<dim>& x, const Vec<dim>& normal, double t) const;
 
-  std::size_t part_;  // of the walls
+  std::size_t part_;  // index among the wall parts
   Vec<dim> about_;
   double spacing_;
   std::vector<Piece> pieces_;

@@ -80,8 +80,8 @@ class Walls {
  private:
   /// A tank or obstacle that moves as one.
   struct Part {
-    std::vector<Vec<dim>> place;   // of its particles at the start
-    std::vector<Vec<dim>> normal;  // of the face they lie behind, at the start, towards the water
+    std::vector<Vec<dim>> place;   // initial positions of its particles
+    std::vector<Vec<dim>> normal;  // initial normals of the faces before them, towards the water
     std::vector<Kind> kind;
     Motion<dim> motion;
     bool with_tank = true;  // it moves as the tank does
@@ -100,7 +100,7 @@ class Walls {
   Box<dim> tank_;
   double spacing_;
   int dummy_layers_;
-  double thickness_;  // of the tank's walls [m]
+  double thickness_;  // thickness of the tank's walls [m]
   std::vector<Shape<dim>> obstacles_;
   Motion<dim> tank_motion_;
   std::vector<Part> parts_;

@@ -9,8 +9,9 @@
 namespace cosurge::fluid {
 namespace {
 
-constexpr double linked = 1.5;         // spacings
-constexpr double fewest_supports = 2;  // particles of a part that is no spray, over those that fill a support
+constexpr double linked = 1.5;  // spacings
+constexpr double fewest_supports =
+    2;  // smallest part that counts as water, not as spray [particles in a full support]
 
 /// Particles in a ball of radius r_e.
 template <int dim>
@@ -18,7 +19,7 @@ double in_support(double re, double spacing) {
   return (dim == 2 ? 1.0 : 4.0 / 3) * std::numbers::pi * std::pow(re / spacing, dim);
 }
 
-/// Of the tree that i is in; makes the way there shorter.
+/// Root of the tree that contains i; shortens the path to it.
 std::int32_t root_of(std::int32_t i, std::vector<std::int32_t>& parent) {
   while (parent[i] != i) {
     parent[i] = parent[parent[i]];
@@ -27,8 +28,7 @@ std::int32_t root_of(std::int32_t i, std::vector<std::int32_t>& parent) {
   return i;
 }
 
-/// The largest part with water within r_e of the line, and how high it comes over the foot there; -1: none
-/// but spray.
+/// The largest part with water within r_e of the line, and its height there above the foot; -1: only spray.
 template <int dim>
 std::pair<std::int32_t, double> part_near(const Mps<dim>& mps, const WaterParts& parts,
                                           const GaugeLine<dim>& line, double spacing) {

@@ -7,7 +7,7 @@ namespace cosurge::fluid {
 
 /// The water as parts that hang together: particles that are less than 1.5 spacings from each other.
 struct WaterParts {
-  std::vector<std::int32_t> part;  ///< of each particle; -1: no water
+  std::vector<std::int32_t> part;  ///< part of each particle; -1: not water
   std::vector<int> size;           ///< particles of each part
 };
 
@@ -21,8 +21,8 @@ struct GaugeLine {
   Vec<dim> up;    ///< unit vector
 };
 
-/// Height of the free surface on the line over its foot [m]: of the largest connected part of the water near
-/// the line, the highest point where that part fills half of what walls and bodies leave of the support.
+/// Height of the free surface above the foot of the line [m]. In the largest connected part of the water near
+/// the line it is the highest point where that part fills half of the support not taken by walls and bodies.
 /// Drops and sheets that have come off do not count, nor does a part of fewer particles than fill two
 /// supports. 0 where there is no water.
 template <int dim>

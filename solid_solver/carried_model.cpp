@@ -31,8 +31,8 @@ CarriedModel<dim>::CarriedModel(std::unique_ptr<SolidModel> model, const v1::Cas
   ramp_increment_ = Field::Zero(dim, model_->nodes());
 }
 
-/// Of the carrier's point that is at X at the start [m/s]. Before the start everything stands still: a motion
-/// that begins with a speed gives its blow in the first window.
+/// Velocity of the carrier's point that is at X at the start [m/s]. Before the start everything stands still:
+/// a motion that begins with a speed gives its blow in the first window.
 template <int dim>
 Vec<dim> CarriedModel<dim>::carrier_velocity(const Motion<dim>& motion, const Vec<dim>& X, double t) const {
   return t > 0 ? motion.velocity(X, t) : Vec<dim>::Zero();

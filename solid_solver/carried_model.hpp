@@ -24,7 +24,7 @@ class CarriedModel : public WrappedModel {
   Field acceleration_by(const Field& load) const override;
   double max_speed() const override { return velocity().colwise().norm().maxCoeff(); }
 
-  /// The kinetic energy has that of clamped nodes, too: what holds them moves them.
+  /// The kinetic energy includes clamped nodes, which move with what holds them.
   Energies energies() const override;
   std::string save() const override;
   void restore(const std::string& state) override;
@@ -42,7 +42,7 @@ class CarriedModel : public WrappedModel {
   Field apparent_acceleration(const Field& place, const Window& window) const;
 
   NodeLayout layout_;
-  std::vector<Motion<dim>> motion_;  // of what carries each body
+  std::vector<Motion<dim>> motion_;  // motion of each body's holder
   Vec<dim> gravity_ = Vec<dim>::Zero();
   double time_ = 0;  // at the end of the last window [s]
   Field ramp_increment_;

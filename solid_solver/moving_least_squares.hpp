@@ -36,8 +36,7 @@ Eigen::VectorXd moving_least_squares(const Vec<dim>& x, const std::vector<Vec<di
     moments += weights[j] * p * p.transpose();
   }
   const Eigen::FullPivLU<Moments> factors(moments);
-  constexpr double degenerate =
-      1e-6;  // of the largest pivot: nodes on one line leave rounding, others 1e-3 or more
+  constexpr double degenerate = 1e-6;  // pivot ratio; collinear nodes: rounding, others 1e-3 or more
   const auto pivots = factors.matrixLU().diagonal().cwiseAbs();
   if (!(pivots.minCoeff() > degenerate * pivots.maxCoeff())) return {};
   const Basis first = factors.solve(Basis::Unit(0));

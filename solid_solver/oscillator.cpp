@@ -19,9 +19,9 @@ Rows undamped(double omega_squared, double h) {
   return rows;
 }
 
-/// By the exponential of the system's matrix in the time t / h. Unknowns: position, h / g times the velocity,
-/// integral of the position, h^2 / g times the load and its change. g makes the matrix no larger than w =
-/// omega h.
+/// Step by the matrix exponential of the system in the time t / h. Unknowns: position, h / g times the
+/// velocity, integral of the position, h^2 / g times the load and its change. g makes the matrix no larger
+/// than w = omega h.
 Rows damped(double omega_squared, double damping, double h) {
   const double w_squared = omega_squared * h * h, g = std::max(1.0, std::sqrt(w_squared));
   Eigen::Matrix<double, 5, 5> A = Eigen::Matrix<double, 5, 5>::Zero();

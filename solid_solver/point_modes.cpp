@@ -28,7 +28,7 @@ std::vector<PointModes::PointMode> PointModes::modes_of(const SolidModel& model,
   return modes;
 }
 
-/// Of the modes of a body at time t; empty where they stay as they were found.
+/// Rotation of a body at time t since its modes were found; empty if the modes do not rotate.
 Eigen::MatrixXd PointModes::rotation(int body, double t, const Field& displacement) const {
   const v1::Body& its = case_.solid().body(body);
   const v1::WallMotion carrier = motion_of(case_, its);

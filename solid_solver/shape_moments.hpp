@@ -11,7 +11,7 @@ template <int dim>
 struct ShapeMoments {
   double volume;    ///< [m^dim]
   double surface;   ///< [m^(dim - 1)]
-  Vec<dim> centre;  ///< of mass [m]
+  Vec<dim> centre;  ///< centre of mass [m]
   Mat<dim> second;  ///< integral of (X - centre) (x) (X - centre) [m^(dim + 2)]
 
   explicit ShapeMoments(const Shape<dim>& shape);

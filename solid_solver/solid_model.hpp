@@ -28,9 +28,9 @@ struct NodalMode {
 
 /// Where the nodes of a model are where the bodies are undeformed, and which body is whose.
 struct NodeLayout {
-  Field position;                  ///< of the nodes, dimension x nodes [m]
-  std::vector<int> body;           ///< of each node
-  std::vector<int> particle_body;  ///< of each particle of a frame
+  Field position;                  ///< positions of the nodes, dimension x nodes [m]
+  std::vector<int> body;           ///< body of each node
+  std::vector<int> particle_body;  ///< body of each particle in a frame
 };
 
 struct Energies {
@@ -46,7 +46,7 @@ struct Energies {
   }
 };
 
-/// A discretised structure. Motion is that of the nodes relative to the reference configuration.
+/// A discretised structure. Motion is the displacement of the nodes from the reference configuration.
 class SolidModel {
  public:
   virtual ~SolidModel() = default;

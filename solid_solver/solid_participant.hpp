@@ -48,9 +48,9 @@ class SolidParticipant : public Participant {
   Interpolation H_;
   Probes probes_;
 
-  Field displacement_;         // of the nodes at the end of the last window
+  Field displacement_;         // displacement of the nodes at the end of the last window
   Field load_;                 // on the nodes in the last window
-  double interface_work_ = 0;  // of the loads on the nodes, since the start [J]
+  double interface_work_ = 0;  // work of the loads on the nodes since the start [J]
   std::optional<PointModes> modes_;
   std::string remembered_;  // state at the start of a window that may be gone through again
 

@@ -10,8 +10,8 @@
 
 namespace cosurge::certify {
 
-inline constexpr double size = 1e-4;               ///< of the windows [s]
-inline constexpr std::chrono::seconds to_end{10};  ///< in which a program that is done with must end
+inline constexpr double size = 1e-4;               ///< window size [s]
+inline constexpr std::chrono::seconds to_end{10};  ///< time limit for the program to end
 
 /// A small dam break with a plate of 3 x 20 points, which stands clear of the water; `folder` gets its file.
 v1::Case scene_for(const CertifyOptions& options, const std::filesystem::path& folder);

@@ -17,13 +17,13 @@ struct Cast {
   std::vector<std::string> quantities;  ///< names of arrays to colour by; "speed" is made of "velocity"
 };
 
-/// Packs some frames, which can be read without any others. Positions are whole multiples, of 16 bits, of a
-/// step from an origin; a quantity is the square of 8 bits between its least and largest value, so that small
-/// values next to a peak stay visible. Of a frame the page gets, for each coordinate, the difference from
-/// what the two frames before foretell (with the sign in the lowest bit), the kind, and the quantities as
-/// differences from the frame before. Particles whose place is not finite get the kind 5, lost.
-/// Returns {"member", "particles", "origin", "step", "components", "kinds", "quantities": [{"name", "unit",
-/// "min", "max"}], "frames", "data"}: data is packed() (coupler/report/packing.hpp).
+/// Packs some frames so that they can be read without any others. Positions are 16-bit multiples of a
+/// step from an origin; a quantity is the square of 8 bits between its smallest and largest value, so that
+/// small values next to a peak stay visible. For each frame the page gets the difference of each coordinate
+/// from its extrapolation from the two frames before (with the sign in the lowest bit), the kind, and the
+/// quantities as differences from the frame before. Particles at a position that is not finite get the kind
+/// 5, lost. Returns {"member", "particles", "origin", "step", "components", "kinds", "quantities": [{"name",
+/// "unit", "min", "max"}], "frames", "data"}: data is packed() (coupler/report/packing.hpp).
 nlohmann::ordered_json pack_frames(const FrameSource& source, const Cast& cast,
                                    const std::vector<std::size_t>& frames);
 

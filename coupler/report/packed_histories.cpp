@@ -20,8 +20,8 @@ bool is_important(const Series& series, const v1::Case& the_case) {
   return of_probe(series.name, the_case) || series.unit == "N";
 }
 
-/// Two rows a part: of the time its quarter and three quarters, of a history its least and largest value in
-/// their order.
+/// Two rows per part: for the time its quarter and three quarters, for a history its smallest and largest
+/// value in their order.
 std::vector<double> thinned(const std::vector<double>& values, bool time) {
   std::vector<double> out;
   for (std::size_t part = 0; part < parts; ++part) {

@@ -7,11 +7,10 @@
 
 namespace cosurge {
 
-/// Tables of histories: [{"exact", "rows", "columns": [{"name", "unit"}], "data"}], of which the first column
-/// is the time [s], in 64 bits, the others have 32. Up to 60000 rows histories of probes and loads are
-/// complete ("exact"); of the others, and of longer ones, there are the least and the largest value of each
-/// of 4096 parts of the run, where it has more rows than twice that. Clocks are left out. The rows before
-/// `first` are left out.
+/// Tables of histories: [{"exact", "rows", "columns": [{"name", "unit"}], "data"}]. The first column is
+/// the time [s] in 64 bits; the others have 32 bits. Histories of probes and loads with up to 60000 rows are
+/// complete ("exact"). Others with more than 8192 rows are reduced to the smallest and the largest value in
+/// each of 4096 parts of the run. Clocks and the rows before `first` are left out.
 nlohmann::ordered_json pack_histories(const RunRecord& run, const v1::Case& the_case, std::size_t first = 0);
 
 }  // namespace cosurge

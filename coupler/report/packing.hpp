@@ -15,8 +15,8 @@ std::string packed(std::span<const std::uint8_t> bytes);
 /// RFC 4648, with padding.
 std::string base64(std::span<const std::uint8_t> bytes);
 
-/// Appends the bytes of equal weight of all values together, the lowest first: of values that are near each
-/// other the high ones repeat.
+/// Appends the bytes of equal significance of all values together, the lowest first: the high bytes of
+/// similar values repeat.
 void append_planes(std::vector<std::uint8_t>& bytes, std::span<const double> values);
 void append_planes(std::vector<std::uint8_t>& bytes, std::span<const float> values);
 void append_planes(std::vector<std::uint8_t>& bytes, std::span<const std::uint16_t> values);

@@ -9,8 +9,8 @@ namespace cosurge {
 struct ReportOptions {
   std::vector<std::string> results;  ///< folders of results, or their results.h5
   std::string out;                   ///< the page; empty: report.html in the first folder
-  std::string case_folder;           ///< with reference/*.csv; empty: those that the results name
-  double megabytes = 5;              ///< that the page may take, about
+  std::string case_folder;  ///< folder with reference/*.csv; empty: the folders that the results name
+  double megabytes = 5;     ///< that the page may take, about
 };
 
 /// Writes the page, and says where. The one in a folder of results is replaced; a file that `out` names must

@@ -10,7 +10,7 @@
 namespace cosurge {
 
 struct DocumentOptions {
-  std::filesystem::path case_folder;  ///< with reference curves; empty: the one that the results name
+  std::filesystem::path case_folder;  ///< folder of reference curves; empty: as the results say
   double megabytes = 4;               ///< that frames of one run may take, about
 };
 

@@ -13,7 +13,7 @@ namespace cosurge {
 /// The histories of a run, cut to one length, and its summary.
 struct RunRecord {
   std::vector<Series> histories;  ///< time and window first
-  nlohmann::json summary;         ///< empty object where there is none (yet), or an older one
+  nlohmann::json summary;         ///< empty object if there is none (yet), or only an older one
 
   explicit RunRecord(const Results& results);
   RunRecord(std::vector<Series> all, nlohmann::json its_summary)
@@ -22,18 +22,18 @@ struct RunRecord {
   std::size_t rows() const { return histories.front().values.size(); }
   const std::vector<double>& time() const { return histories.front().values; }
   const Series* find(const std::string& name) const;
-  double last(const std::string& name) const;  ///< NaN where there is none
-  double most(const std::string& name) const;  ///< largest; NaN where there is none
+  double last(const std::string& name) const;  ///< NaN if there is none
+  double most(const std::string& name) const;  ///< largest; NaN if there is none
 };
 
-/// The summary.json of a run of so many windows; empty where there is none, or one of an earlier end.
+/// The summary.json of a run with this many windows; empty if there is none, or one of an earlier end.
 nlohmann::json summary_of(const Results& results, std::size_t windows);
 
 /// "finished", "interrupted" or "failed"; "unfinished" where there is no summary.
 std::string state_of(const nlohmann::json& summary);
 
-/// Of every history but clocks: [{"name", "unit", "peak", "peak_time", "min", "min_time", "max", "max_time",
-/// "last"}], in their order, probes of the case first. The peak is the value farthest from zero.
+/// Values of every history except clocks: [{"name", "unit", "peak", "peak_time", "min", "min_time", "max",
+/// "max_time", "last"}], in their order, probes of the case first. The peak is the value farthest from zero.
 nlohmann::ordered_json extremes(const RunRecord& run, const v1::Case& the_case);
 
 /// Integrals over time of loads and of pressures of probes, by the trapezoidal rule: [{"name", "unit",

@@ -34,10 +34,10 @@ std::vector<std::string> quantities_of(const FrameSource& source) {
   return names;
 }
 
-/// One of `every` particles, without the rows and planes that every tenth of a lattice would make: multiples
-/// of the golden ratio are spread evenly (Knuth, The Art of Computer Programming 3, section 6.4).
+/// Keeps one particle in `every`. Taking every tenth number would leave rows and planes of the lattice;
+/// multiples of the golden ratio are spread evenly (Knuth, The Art of Computer Programming 3, section 6.4).
 bool is_kept(std::uint32_t number, std::size_t every) {
-  constexpr std::uint32_t golden = 2654435769;  // of 2^32
+  constexpr std::uint32_t golden = 2654435769;  // golden ratio times 2^32
   return std::uint64_t{number * golden} * every < (std::uint64_t{1} << 32);
 }
 

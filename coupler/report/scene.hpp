@@ -11,7 +11,7 @@ namespace cosurge {
 /// What a report shows of the frames of a run, so that the page is as large as it may be.
 struct SceneChoice {
   std::vector<Cast> casts;         ///< fluid, solid
-  std::size_t every_frame = 1;     ///< of so many frames one is shown
+  std::size_t every_frame = 1;     ///< one frame in this many is shown
   std::size_t every_particle = 1;  ///< the same of the water's particles
   std::size_t water = 0;           ///< particles of it in the frames
 };

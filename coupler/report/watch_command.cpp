@@ -29,7 +29,7 @@ std::string secret() {
 
 std::size_t number(const std::string& text) {
   std::size_t value = 0;
-  std::from_chars(text.data(), text.data() + text.size(), value);  // what is no number counts as 0
+  std::from_chars(text.data(), text.data() + text.size(), value);  // other text counts as 0
   return value;
 }
 

@@ -11,7 +11,7 @@ double bearable_gain(const v1::Coupling& coupling) {
   return ramped_mean ? 0.125 : 0.5;
 }
 
-constexpr double alternating = 1;  // of eq. (19); rounding alone makes 0.75
+constexpr double alternating = 1;  // limit of eq. (19); rounding alone gives 0.75
 
 // Share of the work passing between two probes that a stable scheme does not create; and the share of all
 // work below which what passes is noise.

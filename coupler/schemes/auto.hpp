@@ -10,12 +10,12 @@
 
 namespace cosurge {
 
-/// Starts as `weak`. Every tenth window it goes through the window by `strong`, which measures by how much an
-/// error of the velocity comes back: the gain. Where the gain is beyond what `weak` bears, it goes on as
-/// `weak_inertial` where the solid tells its modes, and as `strong` where it does not, or where the
-/// acceleration alternates, or the coupling creates work, in spite of the modes. The windows since it was
-/// last found quiet are then gone through again, so that nothing of the instability's start remains. When the
-/// gain has been small for long, it is `weak` again.
+/// Starts as `weak`. Every tenth window is computed by `strong`, which measures the velocity-error gain: the
+/// factor by which an error of the velocity is multiplied in a window. If the gain exceeds the limit of
+/// `weak`, the run continues as `weak_inertial`; or as `strong` if the solid gives no modes, or if the
+/// acceleration alternates or the coupling creates work although the modes are known. The windows since the
+/// last quiet check are then repeated, so that no trace of the instability remains. After many windows with a
+/// small gain the scheme is `weak` again.
 class Auto : public Scheme {
  public:
   Auto(const v1::Coupling& coupling, Participants participants);

@@ -12,7 +12,7 @@ inline void predict_motion(const Participants& participants, const Window& windo
   participants.solid->advance(attempt, surface);
 }
 
-/// What modes add to the velocity by another load than that of the prediction [m/s].
+/// The change of the modes' velocity by the difference between a load and the predicted load [m/s].
 inline Field velocity_of(const std::vector<Mode>& modes, const Field& force) {
   Field velocity = Field::Zero(force.rows(), force.cols());
   for (const Mode& mode : modes)

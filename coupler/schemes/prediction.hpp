@@ -6,12 +6,12 @@
 
 namespace cosurge {
 
-/// That of the last window, or linearly extrapolated from the last two.
+/// The velocity of the last window, or linearly extrapolated from the last two.
 class Prediction {
  public:
   explicit Prediction(v1::Coupling::Prediction order) : order_(order) {}
 
-  /// For the next window; `velocity` is that of the last one.
+  /// Prediction for the next window; `velocity` is the velocity of the last one.
   Field next(const Field& velocity, const Window& window) const {
     if (order_ == v1::Coupling::last || size_ == 0 || end_ != window.start) return velocity;
     return velocity + window.size / size_ * (velocity - before_);
@@ -37,8 +37,8 @@ class Prediction {
 
  private:
   v1::Coupling::Prediction order_;
-  double size_ = 0;  // of the last window [s]
-  double end_ = 0;   // of it [s]: nothing is extrapolated over windows that another scheme has gone through
+  double size_ = 0;  // size of the last window [s]
+  double end_ = 0;   // end of the last window [s]; no extrapolation over windows computed by another scheme
   Field before_;     // velocity of the last window but one
 };
 

@@ -163,7 +163,7 @@ void Aggregation::cycle(std::size_t depth) {
   for (int i = 0; i < size; ++i) x[i] = damping * level.r[i] / level.diagonal[i];
 #pragma omp parallel for schedule(static) if (size >= parallel_from)
   for (int a = 0; a < next.size(); ++a) {
-    float sum = 0;  // of the residuals
+    float sum = 0;  // sum of residuals
     for (int m = next.begin[a]; m < next.begin[a + 1]; ++m)
       sum += (1 - damping) * level.r[next.member[m]] + level.product(next.member[m], x);
     next.r[a] = sum;

@@ -22,17 +22,18 @@ class Aggregation : public Preconditioner {
   int levels() const { return static_cast<int>(coarse_.size()) + 1; }
 
  private:
-  static constexpr float damping = 0.8F;     // of the Jacobi sweeps
-  static constexpr float correction = 1.6F;  // of the coarser solution: measured best on disordered columns
-  static constexpr int directly = 160;       // unknowns below which the system is factorised
+  static constexpr float damping = 0.8F;  // damping of the Jacobi sweeps
+  static constexpr float correction =
+      1.6F;  // factor on the coarse correction: measured best on disordered columns
+  static constexpr int directly = 160;  // unknowns below which the system is factorised
 
   /// One coarse level: its matrix, and how its unknowns gather those of the finer level.
   struct Level : BlockRows {
     std::vector<std::array<int, 3>> cell;
     std::vector<float> diagonal;
-    // Of the levels behind the first, whose unknowns are the cells:
-    std::vector<std::int32_t> aggregate;  // of each unknown of the finer level
-    std::vector<std::int32_t> begin;      // of each aggregate in `member`, and the end
+    // Only for levels after the first one; the unknowns of the first are the cells:
+    std::vector<std::int32_t> aggregate;  // aggregate of each unknown of the finer level
+    std::vector<std::int32_t> begin;      // first entry of each aggregate in `member`, and the end
     std::vector<std::int32_t> member;     // unknowns of the finer level
     std::vector<float> r, x, t;
     int size() const { return static_cast<int>(cell.size()); }

@@ -35,16 +35,16 @@ auto sum_of_lanes(const Lanes& v) {
 /// Vectors are read in whole lanes: they have at least `lanes` numbers.
 struct BlockRows {
   static constexpr int lanes = 8;
-  static constexpr int ahead = 32;  ///< blocks, of what is fetched into the caches
+  static constexpr int ahead = 32;  ///< prefetch distance [blocks]
 
-  Rows rows;                     ///< of blocks
+  Rows rows;                     ///< rows of blocks
   Unfilled<std::int32_t> first;  ///< column of the first weight of each block
   Unfilled<float> weight;        ///< `lanes` a block
 
   /// Numbers of a vector that `columns` are read from.
   static std::size_t padded(int columns) { return static_cast<std::size_t>(std::max(columns, lanes)); }
 
-  /// Column where a block begins that holds this one: none goes over the end.
+  /// First column of the block that holds this column; no block passes the last column.
   static int block_of(int column, int columns) { return std::max(0, std::min(column, columns - lanes)); }
 
   void make_room(std::int64_t blocks) {
@@ -96,7 +96,8 @@ struct BlockRows {
 /// Symmetric M-matrix: (A x)_i = own_i x_i + sum_j weight_ij (x_i - x_j) with weight_ij = weight_ji >= 0.
 /// Weights are in single precision (both halves of a pair round to the same value), the rest in double.
 struct Matrix : BlockRows {
-  std::vector<double> own;       ///< of each row alone: compressibility, neighbours at the free surface
+  std::vector<double>
+      own;  ///< diagonal part of each row alone: compressibility, neighbours at the free surface
   std::vector<double> diagonal;  ///< own_i + sum_j weight_ij
 
   int size() const { return static_cast<int>(diagonal.size()); }

@@ -12,8 +12,8 @@ namespace {
 
 /// Sums over the lattice sites of one layer, at a height of some spacings above a particle.
 struct Layer {
-  double weights = 0;  ///< of w, eq. (1)
-  double smooth = 0;   ///< of the shares in the smooth density, eq. (2b)
+  double weights = 0;  ///< sum of w, eq. (1)
+  double smooth = 0;   ///< sum of the shares in the smooth density, eq. (2b)
 };
 
 template <int dim>

@@ -3,10 +3,10 @@
 
 namespace cosurge::fluid {
 
-/// A particle beside the free surface lacks neighbours. Where they would be there is air, P = 0, so its row
-/// of the pressure equation gets a further weight on the diagonal that grows smoothly with what is lacking:
-/// eq. (11b). No particle jumps between surface and interior, and P = 0 lies half a spacing above the centres
-/// of the outermost particles, where the surface is.
+/// A particle beside the free surface lacks neighbours. In their place is air, P = 0. So its row in the
+/// pressure equation gets an additional weight on the diagonal, which grows smoothly with the missing
+/// density: eq. (11b). No particle jumps between surface and interior, and P = 0 lies half a spacing above
+/// the centres of the outermost particles, which is the surface.
 class OpenSurface {
  public:
   /// Fits the weight to the lattice, where it makes the hydrostatic pressure of water with a level surface
@@ -16,8 +16,8 @@ class OpenSurface {
   template <int dim>
   static OpenSurface on_lattice(double re, double spacing, double smooth0);
 
-  /// Weight towards P = 0, in units of w of eq. (1). `lack` is 1 - s / s_0, the share of the smooth density
-  /// of eq. (2b) that is missing, walls and bodies counted as present.
+  /// Weight towards P = 0, in units of w of eq. (1). `lack` is the missing share of the smooth density, eq.
+  /// (2b), 1 - s / s_0, where walls and bodies count as present.
   double weight(double lack) const {
     const double beyond = lack - tolerance;
     return beyond > 0 ? beyond * (slope_ + curvature_ * beyond) : 0;

@@ -32,7 +32,7 @@ double parting_of_water(const Particles<dim>& particles, const std::vector<Vec<d
   return sum;
 }
 
-/// In the row of a point of a wall or body: by the water ahead of it and by other walls. The points of a wall
+/// Divergence in the row of a wall or body point: from the water before it and other walls. Points of a wall
 /// that the face moves along stand for the water there; and a face beside it moves as in the row of water.
 template <int dim>
 double parting_of_face(const Particles<dim>& particles, const std::vector<Vec<dim>>& velocity,

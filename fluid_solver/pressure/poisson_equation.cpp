@@ -81,7 +81,7 @@ auto PoissonEquation<dim>::in_lines(Value&& value) const -> Lines {
   return lines;
 }
 
-/// Of a neighbour that is no unknown; 0 out of reach.
+/// Weight of a neighbour that is not an unknown; 0 outside the radius.
 template <int dim>
 double PoissonEquation<dim>::weight_at(const Vec<dim>& x_ij) const {
   return weight_of(static_cast<float>(x_ij.squaredNorm()), static_cast<float>(parameters_.re));

@@ -39,9 +39,9 @@ class PoissonEquation {
   /// [kg/(m3 s2)].
   void set_source(const std::vector<double>& source);
 
-  /// Deviation of each unknown's smooth density, eq. (2b) with the radius of the Laplacian, from that of the
-  /// lattice, over the latter [-]; NaN beside the free surface: missing water cannot be told from thin water
-  /// there.
+  /// Deviation of each unknown's smooth density, eq. (2b) with the radius of the Laplacian, from the density
+  /// of the lattice, relative to the latter [-]. NaN beside the free surface: there, missing water cannot be
+  /// told from thin water.
   const std::vector<double>& deviation() const { return deviation_; }
 
   /// Divergence of the velocity with the equation's own weights, eq. (10b) and (10c), at each unknown [1/s].
@@ -85,10 +85,10 @@ class PoissonEquation {
     int i;                ///< place of its particle
     std::int64_t end;     ///< behind the last block so far
     Doubles weights{};    ///< sums of weights, by lane
-    double diagonal = 0;  ///< of the free surface
-    double wall = 0;      ///< of the Neumann terms
+    double diagonal = 0;  ///< contribution of the free surface
+    double wall = 0;      ///< contribution of the Neumann terms
     Floats smooth{};      ///< sums of shares in the smooth density, by lane
-    double others = 0;    ///< the same, of what is no unknown or hidden behind a body
+    double others = 0;    ///< the same for particles that are not unknowns or are hidden behind a body
     std::uint8_t sight = 0;
 
     void see(Sight what) { sight |= what; }
@@ -116,16 +116,16 @@ class PoissonEquation {
   OpenSurface open_surface_;
   Matrix A_;
   std::vector<double> b_;
-  std::vector<double> wall_;  // of the Neumann terms, in b_
+  std::vector<double> wall_;  // Neumann terms in b_
   std::vector<double> deviation_;
   std::vector<std::uint8_t> sight_;
   CellsOfUnknowns cells_;
-  std::vector<std::int32_t> place_;  // of each unknown
+  std::vector<std::int32_t> place_;  // place of each unknown
   std::vector<std::int32_t> rank_;   // unknowns in lower places than this one, for each place and the end
   std::vector<std::int32_t> other_;  // places of the particles that are no unknowns
   std::vector<std::int32_t> wet_;  // unknowns on bodies that are numbered lower, for each unknown and the end
   std::vector<std::int32_t> face_;  // the same of unknowns on walls and bodies
-  Lines x_;                         // of the unknowns
+  Lines x_;                         // positions of the unknowns
 };
 
 }  // namespace cosurge::fluid

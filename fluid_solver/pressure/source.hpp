@@ -8,7 +8,7 @@ struct SourceInput {
   double density;             ///< fluid density rho [kg/m3]
   double dt;                  ///< [s]
   double deviation;           ///< (n - n0) / n0 of the predicted positions [-]
-  double divergence = 0;      ///< of the predicted velocities [1/s]
+  double divergence = 0;      ///< divergence of the predicted velocities [1/s]
   double per_divergence = 0;  ///< what the source changes by with it [kg/(m3 s)]
 };
 

@@ -20,7 +20,7 @@ void turn(typename Shape<dim>::Facet& facet) {
   std::swap(facet[0], facet[1]);
 }
 
-/// Of the whole, times dim!: positive where all facets face outwards.
+/// Volume times dim!: positive if all facets face outwards.
 template <int dim>
 double signed_volume(const Facets<dim>& facets, const Vec<dim>& origin) {
   double sum = 0;

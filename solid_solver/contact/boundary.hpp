@@ -15,9 +15,9 @@ template <int dim>
 struct Boundary {
   using Facet = std::array<int, dim>;
 
-  Field position;             ///< of the vertices, undeformed [m]
+  Field position;             ///< positions of the undeformed vertices [m]
   std::vector<Facet> facets;  ///< vertices of each
-  std::vector<double> area;   ///< of the surface, that a vertex stands for [m^(dim-1)]
+  std::vector<double> area;   ///< surface area of each vertex [m^(dim-1)]
   /// In space: the edges of each facet, opposite to its vertices; none in the plane.
   std::vector<std::array<int, 3>> edges;
   int edge_count = 0;

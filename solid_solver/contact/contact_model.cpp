@@ -17,14 +17,14 @@ namespace {
 constexpr double resolved = 0.5;
 // A sub-step of explicit models beside springs: with the whole stable step, 2^2 0.9^2 + 0.5^2 < 2^2.
 constexpr double beside_springs = 0.9;
-constexpr double fall = 0.03;          // of a spacing, in a sub-step at the speed of a fall through the scene
-constexpr double windows_share = 0.1;  // of the longest window
+constexpr double fall = 0.03;          // longest way in a sub-step at the fall speed [spacings]
+constexpr double windows_share = 0.1;  // longest sub-step, as a share of the longest window
 constexpr double foresight = 3;        // times the way of the last velocity: what a window may bring
-constexpr double rounding = 1e-9;      // of the reach: less is no contact
-constexpr double deepest = 0.5;        // of the reach, before the bodies' facets are lost
-constexpr double whole = 1e-6;         // of a sub-step: a window of 20.0000001 sub-steps is one of 20
+constexpr double rounding = 1e-9;      // smallest depth of a contact [reach]
+constexpr double deepest = 0.5;        // largest depth of a contact [reach]; deeper, the facets are not found
+constexpr double whole = 1e-6;         // [sub-steps] tolerance: a window of 20.0000001 sub-steps has 20
 
-/// Through the height of the tank, or of all bodies where there is none [m/s].
+/// Speed of a fall through the height of the tank, or of all bodies if there is no tank [m/s].
 template <int dim>
 double fall_speed(const v1::Case& the_case, const Field& vertices) {
   double height = (vertices.rowwise().maxCoeff() - vertices.rowwise().minCoeff()).maxCoeff();
@@ -50,7 +50,7 @@ ContactModel<dim>::ContactModel(std::unique_ptr<SolidModel> model, const v1::Cas
   ramp_increment_ = Field::Zero(dim, model_->nodes());
 }
 
-/// Of all vertices at the end of the last window, t [s]; held ones go with what holds them.
+/// Positions of all vertices at the end of the last window, t [s]; held ones move with what holds them.
 template <int dim>
 Field ContactModel<dim>::positions(double t) const {
   Field x = neighborhood_.vertices() + model_->displacement() * H_.transpose();

@@ -48,13 +48,13 @@ class ContactModel : public WrappedModel {
   int step(const Window& part, const NodalLoad& load, double before, double share);
 
   Neighborhood<dim> neighborhood_;
-  Interpolation H_;                   // of the boundaries' vertices; rows of held ones are empty
-  std::vector<Motion<dim>> carrier_;  // of what holds each body
+  Interpolation H_;                   // for the boundaries' vertices; rows of held vertices are empty
+  std::vector<Motion<dim>> carrier_;  // motion of each body's holder
   double step_;                       // longest while bodies touch [s]
-  std::vector<double> stiffness_;     // of each body, over the area [N/m^dim]; empty: not yet found
+  std::vector<double> stiffness_;     // stiffness of each body over its area [N/m^dim]; empty: unknown
 
   bool touching_ = false;                // whether the last window went through in sub-steps
-  Field ramp_increment_;                 // of such a window
+  Field ramp_increment_;                 // in a window with sub-steps
   double energy_ = 0;                    // [J]
   double work_ = 0;                      // [J]
   double pressed_ = 0;                   // vertices

@@ -148,7 +148,7 @@ std::optional<Nearest<dim>> FacetSearch<dim>::nearest(const Vec<dim>& x) const {
   const Vec<dim> outwards = normal_at(best->facet, best->share);
   const double side = way.dot(outwards) < 0 ? -1 : 1;
   best->gap = side * distance;
-  constexpr double rounding = 1e-9;  // of the reach: nearer to the boundary the way has no direction
+  constexpr double rounding = 1e-9;  // [reach]; a shorter way has no direction
   best->normal = distance > rounding * reach_ ? Vec<dim>(side / distance * way) : outwards.normalized();
   return best;
 }

@@ -10,9 +10,9 @@ namespace cosurge::contact {
 template <int dim>
 struct Nearest {
   double gap;                     ///< distance from the boundary, negative inside [m]
-  Vec<dim> normal;                ///< of unit length, outwards: d gap / d x
+  Vec<dim> normal;                ///< unit normal, outwards: d gap / d x
   int facet;                      ///< that the nearest point lies on
-  std::array<double, dim> share;  ///< of its vertices in the nearest point; they add up to one
+  std::array<double, dim> share;  ///< shares of its vertices in the nearest point; their sum is one
 };
 
 /// A boundary as it is deformed at one instant, in a grid of cells.
@@ -46,9 +46,9 @@ class FacetSearch {
   Field position_;
   double reach_;
   std::vector<Vec<dim>> facet_normal_, edge_normal_, vertex_normal_;
-  std::vector<Vec<dim>> middle_;              // of each facet
-  std::vector<double> radius_;                // of each facet around its middle
-  std::vector<std::pair<Cell, int>> facets_;  // of each cell, sorted
+  std::vector<Vec<dim>> middle_;              // middle of each facet
+  std::vector<double> radius_;                // radius of each facet around its middle
+  std::vector<std::pair<Cell, int>> facets_;  // facets of each cell, sorted
 };
 
 }  // namespace cosurge::contact

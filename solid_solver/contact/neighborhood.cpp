@@ -10,9 +10,9 @@ namespace cosurge::contact {
 namespace {
 
 constexpr double reach_in_spacings = 1.5;
-constexpr double touching = 1e-6;  // of a spacing: what is drawn face to face has this gap by rounding
-// Of a spacing: what touches where it is drawn, and is clamped, may come this much closer. A clamped body
-// that reaches from wall to wall slides along the walls and bulges a little towards them: that is no blow.
+constexpr double touching = 1e-6;  // [spacings] gap that rounding leaves between adjacent faces
+// [spacings] Approach without a contact force for clamped bodies that touch at the start. A clamped body that
+// reaches from wall to wall slides along the walls and bulges slightly towards them; this is not an impact.
 constexpr double play = 0.05;
 
 // Shares of the stiffness: a flat contact of two bodies is pressed from both sides, and each body's vertices
@@ -260,7 +260,7 @@ double Neighborhood<dim>::rest_gap(double at_start, bool clamped) const {
   return std::min(0.0, at_start) - (clamped ? play * spacing_ : 0);
 }
 
-/// Of the pressing vertices; far inside nothing is ever deep enough to touch.
+/// Rest gaps of the pressing vertices; vertices far inside the body never touch.
 template <int dim>
 std::vector<double> Neighborhood<dim>::find_rest_gaps(const Boundary<dim>& pressing,
                                                       const Boundary<dim>& pressed, const Shape<dim>& shape,

@@ -24,9 +24,9 @@ class Neighborhood {
   Neighborhood(const v1::Case& the_case, double spacing);
 
   int bodies() const { return static_cast<int>(boundaries_.size()); }
-  /// Of all bodies, body after body, undeformed [m].
+  /// Vertices of all bodies, body after body, undeformed [m].
   const Field& vertices() const { return reference_; }
-  const std::vector<int>& body() const { return body_; }     ///< of each vertex
+  const std::vector<int>& body() const { return body_; }     ///< body of each vertex
   const std::vector<double>& area() const { return area_; }  ///< that each vertex stands for [m^(dim-1)]
 
   /// Which vertices their bodies hold: they press on nothing. None, unless it is called.
@@ -50,16 +50,16 @@ class Neighborhood {
  private:
   /// Vertices that press, where the facets are that they press on.
   struct Pressing {
-    int body;  // -1: of an obstacle
+    int body;  // -1: an obstacle
     const Boundary<dim>& boundary;
     Field x;
   };
   /// Facets that are pressed on.
   struct Pressed {
-    int body;  // -1: of an obstacle
+    int body;  // -1: an obstacle
     const Boundary<dim>& boundary;
     const FacetSearch<dim>& search;
-    const std::vector<double>& rest_gap;  // of the pressing vertices
+    const std::vector<double>& rest_gap;  // initial gap of each pressing vertex
   };
 
   int walls() const { return tank_.empty() ? 0 : TankWalls<dim>::count; }
@@ -82,7 +82,7 @@ class Neighborhood {
   double spacing_, reach_;
   std::vector<TankWalls<dim>> tank_;  // none without water
   std::vector<ObstacleBoundary<dim>> obstacles_;
-  std::vector<Shape<dim>> shapes_;  // of the bodies
+  std::vector<Shape<dim>> shapes_;  // shape of each body
   std::vector<char> clamped_;       // whether clamps or supports hold each body
   std::vector<Boundary<dim>> boundaries_;
   std::vector<Eigen::Index> first_;  // vertex of each body, and their number

@@ -11,7 +11,7 @@ namespace cosurge::contact {
 template <int dim>
 class ObstacleBoundary {
  public:
-  /// @param motion the obstacle's own, or that of the tank
+  /// @param motion the obstacle's own, or the tank's
   /// @param longest edge of a facet [m]
   /// @param reach how far away a facet is found [m]
   ObstacleBoundary(const v1::Shape& shape, const v1::WallMotion& motion, double longest, double reach)

@@ -16,7 +16,7 @@ class TankWalls {
 
   explicit TankWalls(const v1::Fluid& fluid) : tank_(fluid.tank()), motion_(fluid.tank_motion()) {}
 
-  /// Of the tank, from where the planes were at the start.
+  /// Planes of the tank, from their initial positions.
   const Motion<dim>& motion() const { return motion_; }
 
   /// Distance of a point from the wall, negative beyond it, where both are taken back to where the tank was

@@ -16,12 +16,12 @@ struct Touch {
   int body;                      ///< the first body of the two, or the only one
   int other;                     ///< what it touches, see Neighborhood::name
   double gap;                    ///< less what it was at the start where that is negative [m]
-  Vec<dim> normal;               ///< of unit length
-  Vec<dim> place;                ///< of the vertex [m]
+  Vec<dim> normal;               ///< unit normal
+  Vec<dim> place;                ///< position of the vertex [m]
   double area;                   ///< that the vertex stands for [m^(dim-1)]
-  double share;                  ///< of the stiffness of an area: both sides of a contact have a part
+  double share;                  ///< share of the stiffness per area; both sides of a contact have a part
   double prescribed_rate;        ///< d gap / dt by what moves as prescribed [m/s]
-  std::array<int, most> vertex;  ///< of the bodies, -1: none
+  std::array<int, most> vertex;  ///< vertices of the bodies, -1: none
   std::array<double, most> weight;
 };
 

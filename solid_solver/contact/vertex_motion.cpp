@@ -10,7 +10,7 @@
 namespace cosurge::contact {
 namespace {
 
-constexpr double rounding = 1e-6;  // of a spacing: what lies on a clamp's face is held by it
+constexpr double rounding = 1e-6;  // [spacings] tolerance: vertices on a clamp's face are held by it
 constexpr int iterations = 40;
 
 template <int dim>

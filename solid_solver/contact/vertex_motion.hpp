@@ -16,8 +16,8 @@ Interpolation vertex_interpolation(const SolidModel& model, const v1::Solid& sol
 /// Which rows of H are empty.
 std::vector<char> empty_rows(const Interpolation& H);
 
-/// Largest eigenvalue of the vertices' accelerations by springs of stiffness `area` on all vertices of a
-/// body, of each body [m^(dim-1)/kg]: by an iteration of powers from below, to about a tenth.
+/// For each body: largest eigenvalue of the vertices' accelerations by springs of stiffness `area` on all its
+/// vertices [m^(dim-1)/kg]. Power iteration from below, exact to about a tenth.
 std::vector<double> fastest_per_stiffness(const SolidModel& model, const Interpolation& H,
                                           const std::vector<double>& area, const std::vector<int>& body,
                                           int bodies, int dimension);

@@ -46,7 +46,7 @@ class FailingDisk : public ::testing::Test {
     return program(name, "/" + name + "/", at, error, {"resume", scratch->path() / name});
   }
 
-  /// That the results can be read, and that all they have is right.
+  /// Checks that the results can be read and are right.
   static void expect_part_of_whole(const std::string& name) {
     const Datasets part = physics(read_results(scratch->path() / name));
     for (const auto& [place, values] : part) {

@@ -82,7 +82,7 @@ TEST(CheckCommand, DrawsThePictureOfACaseAndWritesNothingOver) {
   const Said said = cosurge_says(folder, {"check", small_dam_break, "--picture", page});
   EXPECT_EQ(said.status, 0) << said.output;
   const nlohmann::json scene = document_of(page)["runs"][0]["scene"];
-  EXPECT_EQ(scene["chunks"][1]["particles"], 30);  // of the plate
+  EXPECT_EQ(scene["chunks"][1]["particles"], 30);  // the plate's
   std::vector<std::string> kinds;
   for (const auto& part : scene["outlines"]) kinds.push_back(part["kind"]);
   EXPECT_THAT(kinds, ::testing::ElementsAre("tank", "water", "body", "clamp", "probe", "probe"));

@@ -17,7 +17,7 @@ constexpr std::uint64_t windows_a_frame = 100;
 // stays in memory has 8 a column, and there are 20.
 constexpr double most_of_a_window = 25;
 
-/// Of this process [kB].
+/// Memory of this process [kB].
 double memory() {
   std::ifstream status("/proc/self/status");
   for (std::string word; status >> word;) {

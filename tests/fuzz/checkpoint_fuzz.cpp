@@ -63,7 +63,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string bytes(reinterpret_cast<const char*>(data + 1), size - 1);
   std::filesystem::remove(folder() / Checkpoint::name_before);
   std::ofstream(folder() / Checkpoint::name, std::ios::binary) << (data[0] % 2 == 0 ? sealed(bytes) : bytes);
-  std::fclose(stdout);  // of warnings
+  std::fclose(stdout);  // suppress warnings
   try {
     const Checkpoint checkpoint = Checkpoint::read(folder());
     Run run;

@@ -26,7 +26,7 @@ double Impact::apart(const Impact& another) const {
 Impact impact_on(PlateCase plate, const RecordedPressure& pressure) {
   plate.only_face = true;
   plate.steps_of_period = 40;           // the trapezoidal rule's periods are 0.2 % long then
-  const double area = plate.spacing();  // of a point, per metre of width
+  const double area = plate.spacing();  // area of a point per metre of width
   Plate run(plate);
   Impact impact;
   const std::vector<double>& times = pressure.times();

@@ -14,11 +14,11 @@ struct Impact {
   std::vector<double> times;  ///< [s]
   std::vector<double> tip;    ///< [m]
 
-  double seconds = 0;  ///< of CPU, after the model was set up
+  double seconds = 0;  ///< CPU time after the model was set up [s]
 
   double largest() const;                     ///< tip [m]
   double at() const;                          ///< its instant [s]
-  double mean() const;                        ///< of the tip [m]
+  double mean() const;                        ///< mean tip displacement [m]
   double apart(const Impact& another) const;  ///< largest difference of the tips [m]
 };
 

@@ -60,14 +60,14 @@ class MockParticipant : public Participant {
 struct Piston {
   double mass = 1000;         // per area [kg/m2]
   double stiffness = 1e5;     // per area [N/m3]
-  double density = 1000;      // of the water [kg/m3]
-  double height = 0.5;        // of the column [m]
+  double density = 1000;      // density of the water [kg/m3]
+  double height = 0.5;        // height of the column [m]
   double gravity = 9.81;      // [m/s2]
   int points = 5;             // that share the area
-  int substeps = 10;          // of the solid in a window
+  int substeps = 10;          // sub-steps of the solid in a window
   bool tells_mode = false;    // its motion, for schemes that take its added mass along
   bool ramped = false;        // load over a window
-  bool end_velocity = false;  // of the piston, as the water sees it; otherwise the mean
+  bool end_velocity = false;  // the water sees the piston's velocity at the end, not the mean
 
   double added_mass() const { return density * height; }
   double wet_frequency() const {  // [Hz]
@@ -75,8 +75,8 @@ struct Piston {
   }
 };
 
-/// The water: pressure density * height * (gravity + a), where a is the piston's acceleration as the change
-/// of its mean velocity from window to window. State: the last mean velocity.
+/// The water: pressure density * height * (gravity + a), where a is the piston's acceleration, from the
+/// change of its mean velocity from window to window. State: the last mean velocity.
 inline std::unique_ptr<MockParticipant> water_column(const Piston& piston) {
   auto fluid = std::make_unique<MockParticipant>(Role::fluid);
   fluid->state = {0};

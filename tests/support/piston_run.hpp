@@ -47,7 +47,7 @@ struct PistonRun {
     coupler->run({&history}, [&] { return history.time.size() >= until; });
   }
 
-  /// Of the coupler's own values in the last window.
+  /// The coupler's own values in the last window.
   double value(const std::string& name) const {
     const std::vector<Column> columns = coupler->columns();
     for (std::size_t k = 0; k < columns.size(); ++k)

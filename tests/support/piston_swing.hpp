@@ -28,9 +28,9 @@ struct CouplingWords {
 };
 
 struct PistonSwing {
-  double frequency;  ///< over that of theory, less 1
-  double lost;       ///< amplitude, of one, in a period
-  double created;    ///< by the scheme in a period, over the energy of the swing
+  double frequency;  ///< relative error of the frequency
+  double lost;       ///< relative loss of amplitude per period
+  double created;    ///< energy created by the scheme in a period, over the energy of the swing
 };
 
 /// The factor z from window to window of y_k = c + Re(a z^k), from y_(k+2) = 2 Re(z) y_(k+1) - |z|^2 y_k +
@@ -58,7 +58,7 @@ inline PistonSwing piston_swing(const CouplingWords& words, double mu, int windo
   const std::vector<double>& y = run.history.height;
   const std::complex<double> z = window_factor(y, static_cast<std::size_t>(quiet * windows));
   const auto at = [&](int k) { return static_cast<std::size_t>(k); };
-  // The energy is that of the turning points: k a^2 / 2 about the place of rest.
+  // Energy at the turning points: k a^2 / 2 about the equilibrium.
   const double rest = -piston.gravity * piston.added_mass() / piston.stiffness;
   double high = 0;
   for (int k = quiet * windows; k < (quiet + 1) * windows; ++k) high = std::max(high, y[at(k)] - rest);

@@ -14,14 +14,14 @@ namespace cosurge {
 /// A model of an upright plate with its left foot at the origin.
 struct PlateCase {
   v1::SolidModel::Word model = v1::SolidModel::mps;
-  v1::SolidMps::Pairs pairs = v1::SolidMps::corrected;  ///< of `mps`
+  v1::SolidMps::Pairs pairs = v1::SolidMps::corrected;  ///< for `mps`
   Cantilever plate;
   int particles = 12;    ///< through the thickness; elements have three of them along a side
   bool clamped = true;   ///< at the foot
   double gravity_x = 0;  ///< [m/s2]
   double damping_ratio = 0;
-  int steps_of_period = 0;  ///< of `fem`, at least so many in the first period; 0: one step a window
-  double viscosity = 0;     ///< of `mps` and `hamiltonian`
+  int steps_of_period = 0;  ///< for `fem`: smallest number in the first period; 0: one step a window
+  double viscosity = 0;     ///< for `mps` and `hamiltonian`
   bool only_face = false;  ///< points on the left face alone, as water sees it; otherwise in all of the plate
 
   double spacing() const { return plate.thickness / particles; }

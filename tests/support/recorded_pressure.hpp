@@ -6,8 +6,8 @@
 
 namespace cosurge {
 
-/// Of a CSV: heights of the gauges in the first line, behind a number that says nothing; then a line for each
-/// instant, its time and the pressures. Lines that begin with # are left out.
+/// Pressures from a CSV file. First line: an unused number, then the heights of the gauges. Every further
+/// line: a time and the pressures. Lines that begin with # are left out.
 class RecordedPressure {
  public:
   /// @throws Error for a file that is missing or not such a table
@@ -20,7 +20,7 @@ class RecordedPressure {
 
  private:
   std::vector<double> heights_, times_;
-  std::vector<std::vector<double>> pressures_;  // of each instant
+  std::vector<std::vector<double>> pressures_;  // pressures at each instant
 };
 
 }  // namespace cosurge

@@ -18,7 +18,7 @@ struct Block {
   double poisson_ratio = 0.3;
   bool plane_stress = false;
   bool neo_hookean = false;
-  double viscosity = 0;  ///< of particles, over rho c_p l0
+  double viscosity = 0;  ///< viscosity of particles, over rho c_p l0
 
   v1::Body body() const {
     return plate({.columns = columns, .rows = rows, .clamped = clamped}).solid().body(0);
@@ -40,7 +40,7 @@ class FemSample {
   static constexpr double clear_of_faces = 1e-6;  ///< [m] from where on a node is inside
   static constexpr double conserves =
       1e-7;  ///< momenta: the balance of forces is 1e-10 of the largest, 200 times
-  static constexpr double rounding = 1e-11;   ///< of the sum of all forces, over the largest
+  static constexpr double rounding = 1e-11;   ///< sum of all forces over the largest force
   static constexpr bool whole_energy = true;  ///< the continuum's energy for affine motion, faces included
   static constexpr bool local = true;         ///< affine motion is in balance clear of faces
 
@@ -125,7 +125,7 @@ class MpsSample : public ParticleSample<mps::MpsBody<2>> {
   static constexpr bool whole_energy = false;  // the paper's faces lack neighbours; large strains: other law
   static constexpr bool local = pairs == v1::SolidMps::paper;  // whole weights differ far from the faces too
   static constexpr double conserves = 1e-11;                   // rounding of 2000 steps
-  static constexpr double rounding = 1e-11;                    // of the sum of all forces, over the largest
+  static constexpr double rounding = 1e-11;                    // sum of all forces over the largest force
 
   explicit MpsSample(const Block& block)
       : ParticleSample(
@@ -151,7 +151,7 @@ class HamiltonianSample : public ParticleSample<hamiltonian::HamiltonianBody<2>>
  public:
   static constexpr bool whole_energy = true;
   static constexpr bool local = true;
-  // Sums go over displacements, not over their differences: rounding is that of 24 l0, not of l0.
+  // Sums go over displacements, not over their differences: rounding is relative to 24 l0, not to l0.
   static constexpr double conserves = 1e-9;
   static constexpr double rounding = 1e-10;
 

@@ -54,10 +54,10 @@ class TurningPatch {
   void step() { (void)mps_.step(time(), dt), ++steps_; }
   double time() const { return steps_ * dt; }
 
-  double filled() const {  ///< of the middle
+  double filled() const {  ///< filled share of the middle
     return test::filled(mps_, spacing_, {Vec<2>::Constant(middle - 0.2), Vec<2>::Constant(middle + 0.2)});
   }
-  double angular_momentum() const { return sums()[0] / angular_momentum_; }  ///< over that of the start
+  double angular_momentum() const { return sums()[0] / angular_momentum_; }  ///< relative to the start
   double energy() const { return sums()[1] / energy_; }                      ///< likewise
 
   /// Around the middle [Pa].
@@ -84,7 +84,7 @@ class TurningPatch {
     return fluid;
   }
 
-  Vec<2> sums() const {  // of angular momentum and energy, per mass of a particle
+  Vec<2> sums() const {  // angular momentum and energy per particle mass
     Vec<2> sum = Vec<2>::Zero();
     for (int i = 0; i < mps_.particles().size(); ++i) {
       if (mps_.particles().kind[i] != Kind::fluid) continue;

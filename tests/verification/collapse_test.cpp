@@ -12,7 +12,7 @@
 namespace cosurge::testing {
 namespace {
 
-constexpr double width = 0.148;  // of the column [m]: what 4 mm divide
+constexpr double width = 0.148;  // width of the column [m], a multiple of 4 mm
 constexpr double g = 9.81;
 
 struct Curve {

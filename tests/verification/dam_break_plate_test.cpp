@@ -14,7 +14,7 @@ namespace {
 struct Landmarks {
   double front_arrives = NAN;  ///< front at the plate's face [s]
   double first_motion = NAN;   ///< tip 0.2 mm away from rest [s]
-  double peak = 0;             ///< of the tip [m]
+  double peak = 0;             ///< peak tip displacement [m]
   double peak_time = NAN;      ///< [s]
 };
 
@@ -86,8 +86,8 @@ INSTANTIATE_TEST_SUITE_P(Settings, DamBreakPlateCoarse,
                                                                     "fluid.gradient=p_min"}),
                          [](const auto& words) { return words.param.empty() ? "Recommended" : "Paper"; });
 
-/// Work that the scheme has created over all that has passed, of 0.1 m of water that is let go beside the
-/// plate on a lattice of 1 mm, in windows of 0.1 ms.
+/// Energy created by the scheme over the total work, for 0.1 m of water released beside the plate on a
+/// lattice of 1 mm, in windows of 0.1 ms.
 double created_beside_still_water(const std::vector<std::string>& structure) {
   std::vector<std::string> words = {"fluid.spacing=0.001",
                                     "fluid.water.0.min=[0.242, 0.0]",

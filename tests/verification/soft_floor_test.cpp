@@ -58,8 +58,8 @@ TEST(SoftFloor, SwingsAtTheFrequencyOfABarWithTheWaterOnTop) {
 }
 
 TEST(SoftFloor, LighterThanItsWaterIsBeyondWeakCoupling) {
-  // mu = rho H / (rho_s e) = 4; weak coupling bears 2. All that there is to pass is the work of the water's
-  // weight on the way down, rho g H x 39 um x 0.1 m = 8 mJ.
+  // mu = rho H / (rho_s e) = 4; the limit of weak coupling is 2. The only energy available is the work of the
+  // water's weight on the way down, rho g H x 39 um x 0.1 m = 8 mJ.
   constexpr double all_there_is = 8e-3;
   const auto weak_energy = [](double rho_infinity) {
     const std::string damping = "solid.fem.rho_infinity=" + std::to_string(rho_infinity);
@@ -83,7 +83,7 @@ TEST(SoftFloor, IsTheSameInFewerIterationsWithTheModesAddedMass) {
   const auto mean = [](const std::vector<double>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
   };
-  // 3.3 and 2.2 seen: of the elements' motions, eight are told.
+  // 3.3 and 2.2 measured; eight modes of the elements are known.
   EXPECT_LT(mean(with.column("coupling/iterations")), 0.8 * mean(without.column("coupling/iterations")));
   const auto &a = with.column("solid/floor_y"), &b = without.column("solid/floor_y");
   const double deepest = -*std::min_element(b.begin(), b.end());

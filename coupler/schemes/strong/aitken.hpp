@@ -31,7 +31,7 @@ class Aitken : public Relaxation {
   void restore(StateReader& state) override { state.get(omega_); }
 
  private:
-  static constexpr double smallest = 1e-3;  // of a ratio of 1000; with less, an iteration would not move
+  static constexpr double smallest = 1e-3;  // for a ratio of 1000; with less, an iteration would not move
 
   double omega_;
   Eigen::VectorXd last_;  // residual of the last iteration of this window

@@ -5,15 +5,15 @@
 namespace cosurge {
 namespace {
 
-// Of a column's length that must remain after newer columns are taken out of it: the pressure is known to
-// about four digits, so that what remains of less is noise.
+// Share of a column's length that must remain after newer columns are taken out of it: the pressure is known
+// to about four digits, so that what remains of less is noise.
 constexpr double filter = 1e-2;
 
 // Steps of a window that may make the residual larger before its older columns are not believed: without
 // suction one or two do, on the way to the solution.
 constexpr int few = 3;
 
-constexpr double longest = 1.5;  // of a step, in residuals: (1 + M)^-1 is symmetric in another norm than this
+constexpr double longest = 1.5;  // step [residuals]; above 1: (1 + M)^-1 is symmetric in another norm
 
 }  // namespace
 

@@ -7,14 +7,14 @@
 
 namespace cosurge {
 
-/// Degroote, Bathe & Vierendeels 2009 (doi 10.1016/j.compstruc.2008.11.013). With the columns dr of residuals
-/// and dg of outputs between iterations, of this window and the last ones: alpha = argmin |r + dr alpha|, x =
-/// g + dg alpha. Columns that are nearly combinations of newer ones are left out (QR2 filter: Haelterman et
-/// al. 2016, doi 10.1016/j.compstruc.2015.11.007). Where a step has made the residual larger, water has come
-/// or gone and past windows tell nothing of this one: their columns are dropped. Where it happens again and
-/// again, suction is cut off at other points in every iteration, and older columns are slopes of what is no
-/// more: all but the newest are dropped. Added mass is positive, so that the step (1 + M)^-1 r is not longer
-/// than r: a longer one comes from noise in the columns, and is shortened.
+/// Degroote, Bathe & Vierendeels 2009 (doi 10.1016/j.compstruc.2008.11.013). The columns dr and dg are the
+/// changes of residuals and outputs between iterations in this window and the last ones: alpha = argmin |r +
+/// dr alpha|, x = g + dg alpha. Columns that are nearly combinations of newer ones are left out (QR2 filter:
+/// Haelterman et al. 2016, doi 10.1016/j.compstruc.2015.11.007). Where a step has made the residual larger,
+/// water has come or gone and past windows tell nothing of this one: their columns are dropped. Where it
+/// happens again and again, suction is cut off at other points in every iteration, and older columns are
+/// slopes of what is no more: all but the newest are dropped. Added mass is positive, so that the step (1 +
+/// M)^-1 r is not longer than r: a longer one comes from noise in the columns, and is shortened.
 class IqnIls : public Relaxation {
  public:
   /// @param first factor of the first iteration, while there are no columns
@@ -39,9 +39,9 @@ class IqnIls : public Relaxation {
   double first_;
   int reuse_;
   std::deque<Change> changes_;                   // newest first
-  std::deque<int> counts_ = {0};                 // of changes in each window, newest first
-  int growths_ = 0;                              // of the residual in this window
-  Eigen::VectorXd last_residual_, last_output_;  // of the last iteration of this window
+  std::deque<int> counts_ = {0};                 // number of changes in each window, newest first
+  int growths_ = 0;                              // how often the residual has grown in this window
+  Eigen::VectorXd last_residual_, last_output_;  // in the last iteration of this window
 };
 
 }  // namespace cosurge

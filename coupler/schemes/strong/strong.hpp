@@ -35,9 +35,9 @@ class Strong : public Scheme {
  private:
   /// Once through the window, by both.
   struct Pass {
-    Field asked;   // velocity that the water was given
-    Field seen;    // that it saw: with what the modes answer to its own load
-    Field answer;  // of the structure
+    Field asked;   // velocity given to the water
+    Field seen;    // velocity that the water used, with the modes' response to its own load
+    Field answer;  // velocity of the structure
     Field force;
     double residual() const { return (answer - seen).norm(); }
   };
@@ -48,7 +48,7 @@ class Strong : public Scheme {
   int iterations_;
   Participants participants_;
   bool inertial_;
-  std::vector<Mode> modes_;  // of this window; none without inertial_
+  std::vector<Mode> modes_;  // in this window; empty without inertial_
   Prediction prediction_;
   std::unique_ptr<Relaxation> relaxation_;
   bool has_modes_ = false;

@@ -9,7 +9,7 @@
 namespace cosurge::fem {
 namespace {
 
-constexpr double rounding = 1e-6;  // of a side: 0.0800000001 m of elements of 0.02 m are four
+constexpr double rounding = 1e-6;  // [cell sides] tolerance: 0.0800000001 m has four elements of 0.02 m
 constexpr double most_elements = 1e6;
 
 }  // namespace

@@ -16,14 +16,14 @@ namespace cosurge::fem {
 template <int dim>
 class CellGrid {
  public:
-  using Index = typename CellBlock<dim>::Index;  ///< of a node; even for vertices, odd between
+  using Index = typename CellBlock<dim>::Index;  ///< index of a node; even for vertices, odd between
   using Nodes = std::array<Eigen::Index, QuadraticElement<dim>::nodes>;
 
   /// @param longest side of a cell [m]; 0 for a third of a box's thickness, or of 2 volume / surface
   /// @throws Error where cells are too many or fall apart
   CellGrid(const Shape<dim>& shape, double longest, int body);
 
-  const Vec<dim>& side() const { return side_; }  ///< of a cell [m]
+  const Vec<dim>& side() const { return side_; }  ///< sides of a cell [m]
   Eigen::Index nodes() const { return static_cast<Eigen::Index>(used_.size()); }
 
   Index at(Eigen::Index node) const { return grid_.split(used_[static_cast<std::size_t>(node)]); }
@@ -31,7 +31,7 @@ class CellGrid {
   bool vertex(Eigen::Index node) const;
   bool outer(Eigen::Index node) const { return outer_[static_cast<std::size_t>(node)] != 0; }
   Vec<dim> position(Eigen::Index node) const;  ///< in the even grid [m]
-  std::vector<Vec<dim>> positions() const;     ///< of all nodes
+  std::vector<Vec<dim>> positions() const;     ///< positions of all nodes
 
   /// Cells around a node that are kept, and of how many.
   struct Around {

@@ -29,7 +29,7 @@ class FemBody {
 
   /// Largest values over the elements' nodes; over their Gauss points where they are fitted to an outline.
   struct Deformation {
-    double rotation = 0;  ///< of the antisymmetric part of the displacement gradient [rad], small angles
+    double rotation = 0;  ///< rotation by the antisymmetric displacement gradient [rad], small angles
     double strain = 0;    ///< largest principal value of its symmetric part, either sign [-]
   };
 
@@ -62,7 +62,7 @@ class FemBody {
 
  private:
   using Element = QuadraticElement<dim>;
-  static constexpr int components = Element::nodes * dim;  // of an element
+  static constexpr int components = Element::nodes * dim;  // displacement components of an element
   using Nodal = Eigen::Matrix<double, dim, Element::nodes>;
   using Stiffness = Eigen::Matrix<double, components, components>;
 
@@ -74,7 +74,7 @@ class FemBody {
   };
   using Quadratures = std::array<Quadrature, Element::nodes>;
 
-  /// Of an element's Gauss points.
+  /// Values at an element's Gauss points.
   struct Strains {
     std::array<Mat<dim>, Element::nodes> H;
     std::array<double, Element::nodes> dilatation;  // what lambda resists (S43)
@@ -95,12 +95,11 @@ class FemBody {
   Elasticity material_;
   bool linear_dilatation_;  // not in plane stress, where the thickness gives way
   Mesh<dim> mesh_;
-  std::vector<Quadratures> quadratures_;  // of each element; one where they are all the same
+  std::vector<Quadratures> quadratures_;  // for each element, or one if all are alike
   std::vector<Eigen::Index> component_;   // node * dim + axis of each unknown
-  std::vector<Eigen::Index> unknown_;     // of each component, -1 where held
+  std::vector<Eigen::Index> unknown_;     // unknown of each component, -1 if held
   Matrix mass_;
-  std::vector<Eigen::Index>
-      slot_;  // of an element's entry in the values of a matrix, -1: not in the triangle
+  std::vector<Eigen::Index> slot_;  // index of an element's entry in the matrix, -1: not in the triangle
   Vector weight_;
 };
 

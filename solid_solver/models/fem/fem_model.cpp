@@ -10,7 +10,7 @@
 namespace cosurge::fem {
 namespace {
 
-constexpr double whole = 1e-6;  // of a sub-step: a window of 20.0000001 sub-steps is one of 20
+constexpr double whole = 1e-6;  // [sub-steps] tolerance: a window of 20.0000001 sub-steps has 20
 
 // Stretch of St. Venant-Kirchhoff's material under the largest pressure that it stands along one axis with
 // Poisson's ratio 0, 1 / sqrt(3).

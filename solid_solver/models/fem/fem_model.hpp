@@ -51,7 +51,7 @@ class FemModel : public SolidModel {
   void check_step(const NewtonReport& report, const Window& window, std::size_t body, double dt) const;
 
   MeshedBodies<dim> bodies_;
-  std::deque<GeneralisedAlpha<dim>> motions_;  // of each body; a deque, as they cannot be moved
+  std::deque<GeneralisedAlpha<dim>> motions_;  // one per body; a deque, since they cannot be moved
   double substep_;                             // 0: the window
   Vectors ramp_increment_;
   int iterations_ = 0;

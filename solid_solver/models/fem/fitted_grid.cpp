@@ -12,16 +12,16 @@
 namespace cosurge::fem {
 namespace {
 
-constexpr int sweeps = 30;          // of the smoothing: moves go about as many cells far as they are rows
-constexpr double most_bent = 0.2;   // of an edge: how far its middle may be off
+constexpr int sweeps = 30;          // of smoothing: moves reach about as many cells
+constexpr double most_bent = 0.2;   // largest offset of an edge's middle [edge lengths]
 constexpr double flattest = 0.002;  // least determinant of an element's Jacobian, over the even cell's
-constexpr double most_lost = 0.02;  // of the volume
-constexpr int most_halvings = 12;   // of the way of a vertex
-constexpr double alike = 1e-6;      // of a side: distances that differ by rounding
-constexpr double flat_way = 1.5;  // times as long is a way for a crease that is no edge of the grid's surface
+constexpr double most_lost = 0.02;  // largest loss [volume]
+constexpr int most_halvings = 12;   // largest number of halvings of a vertex's move
+constexpr double alike = 1e-6;      // [cell sides] tolerance for equal distances
+constexpr double flat_way = 1.5;  // longest detour for a crease that is not an edge of the grid's surface [-]
 constexpr Eigen::Index none = -1;
 
-/// Of an element, by its Gauss points.
+/// Quality of an element, measured at its Gauss points.
 struct Quality {
   double least_jacobian = std::numeric_limits<double>::infinity();  // determinant
   double volume = 0;
@@ -83,7 +83,7 @@ class Fitting {
   /// Where a middle belongs by the element's polynomial, and what is around it.
   struct Middle {
     Vec<dim> x = Vec<dim>::Zero();
-    double length = std::numeric_limits<double>::infinity();  // of the shortest edge through it
+    double length = std::numeric_limits<double>::infinity();  // length of the shortest edge through it
     bool loose = false;
     Eigen::Index patch = none;
   };
@@ -93,10 +93,10 @@ class Fitting {
 
   const CellGrid<dim>& grid_;
   OutlineFeatures<dim> features_;
-  std::vector<Vec<dim>> x_;           // of the nodes
+  std::vector<Vec<dim>> x_;           // positions of the nodes
   std::vector<char> fixed_;           // corners, and what lies on creases
   std::vector<char> loose_;           // vertices that are not where they would fit
-  std::vector<Eigen::Index> patch_;   // of outer vertices
+  std::vector<Eigen::Index> patch_;   // patch of each outer vertex
   std::vector<Eigen::Index> pinned_;  // vertex of each corner
 };
 

@@ -16,9 +16,9 @@ template <int dim>
 struct FittedGrid {
   using Element = QuadraticElement<dim>;
 
-  Vec<dim> side;                                               ///< of a cell [m]
-  Field position;                                              ///< of the nodes [m]
-  std::vector<std::array<Eigen::Index, Element::nodes>> node;  ///< of each element; they ascend
+  Vec<dim> side;                                               ///< sides of a cell [m]
+  Field position;                                              ///< positions of the nodes [m]
+  std::vector<std::array<Eigen::Index, Element::nodes>> node;  ///< nodes of each element, ascending
 
   /// @param longest side of an element [m]; 0 for a third of a box's thickness, or of 2 volume / surface
   /// @param body its number, for messages

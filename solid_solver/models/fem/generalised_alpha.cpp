@@ -7,12 +7,12 @@
 namespace cosurge::fem {
 namespace {
 
-// Of the stiffness times the displacement: rigid motions have forces of 4e-16 of it, and accelerations are
-// differences of displacements.
+// Tolerance relative to stiffness times displacement. Rigid motions have forces of 4e-16 of it, and
+// accelerations are differences of displacements.
 constexpr double rounding = 2e-14;
 constexpr int most_iterations = 30;
-constexpr double slow = 0.1;  // of the residual left by an iteration: a new tangent costs as much as ten
-constexpr double near = 0.1;  // of the step: beyond it the tangent of another one is not tried
+constexpr double slow = 0.1;  // residual ratio of an iteration; a new tangent costs as much as ten
+constexpr double near = 0.1;  // relative change of the step up to which an old tangent is tried
 
 double largest(const Vector& x) { return x.size() == 0 ? 0 : x.template lpNorm<Eigen::Infinity>(); }
 

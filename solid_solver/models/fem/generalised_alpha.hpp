@@ -29,7 +29,7 @@ struct [[nodiscard]] NewtonReport {
   Eigen::Index flattest;  ///< the element that has it
   bool converged;         ///< false as well where an element is turned inside out
 
-  static constexpr double tolerance = 1e-10;  ///< of the residual
+  static constexpr double tolerance = 1e-10;  ///< relative residual
 };
 
 /// The motion of one body.
@@ -46,9 +46,9 @@ class GeneralisedAlpha {
   void start(const Vector& load);
 
   /// One step of dt [s] under a load [N] by Newton's method with a direct solver, until the residual is the
-  /// tolerance of the largest force, or what rounding makes of forces where the displacement is large: of a
-  /// body that flies or turns freely. The factors of the last tangent are kept as long as they do. The state
-  /// is of no use where the report says that it did not converge.
+  /// tolerance times the largest force, or the rounding error of the forces where the displacement is large
+  /// (a body that moves freely). The factors of the last tangent are kept while they converge. The state is
+  /// invalid if the report says that it did not converge.
   NewtonReport step(const Vector& load, double dt);
 
   const Vector& displacement() const { return u_; }  ///< [m]

@@ -10,13 +10,13 @@
 namespace cosurge::fem {
 namespace {
 
-constexpr double rounding = 1e-6;  // of a side
+constexpr double rounding = 1e-6;  // [cell sides]
 
 /// Newton's method for sum N_a(xi) X_a = x; false where it finds no xi near the element.
 template <int dim>
 bool invert(Eigen::Matrix<double, dim, QuadraticElement<dim>::nodes> corners, Vec<dim> x, Vec<dim>& xi) {
   using Element = QuadraticElement<dim>;
-  // Counted from a corner: rounding is that of the element, wherever it is.
+  // Coordinates relative to a corner: rounding then depends on the element's size, not on its position.
   const Vec<dim> first = corners.col(0);
   corners.colwise() -= first;
   x -= first;

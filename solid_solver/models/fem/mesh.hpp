@@ -28,9 +28,9 @@ class Mesh {
   Eigen::Index nodes() const { return grid_.position.cols(); }
   Eigen::Index elements() const { return static_cast<Eigen::Index>(grid_.node.size()); }
   bool even() const { return shape_.is_box(); }             ///< all elements are the same box
-  const Vec<dim>& side() const { return grid_.side; }       ///< of an element before it is fitted [m]
-  const Field& position() const { return grid_.position; }  ///< of the nodes [m]
-  const Shape<dim>& shape() const { return shape_; }        ///< of the body
+  const Vec<dim>& side() const { return grid_.side; }       ///< sides of an element before fitting [m]
+  const Field& position() const { return grid_.position; }  ///< positions of the nodes [m]
+  const Shape<dim>& shape() const { return shape_; }        ///< shape of the body
   const Axes<dim>& held(Eigen::Index node) const { return held_[static_cast<std::size_t>(node)]; }
 
   Eigen::Index node(Eigen::Index element, int a) const {
@@ -57,8 +57,8 @@ class Mesh {
   Shape<dim> shape_;
   FittedGrid<dim> grid_;
   double margin_;               // what rounding may be off [m]
-  std::vector<Box<dim>> near_;  // of each fitted element: where points may belong to it
-  ElementBins<dim> bins_;       // of these boxes
+  std::vector<Box<dim>> near_;  // box of each fitted element, for the point search
+  ElementBins<dim> bins_;       // bins of these boxes
   std::vector<Shape<dim>> clamps_;
   std::vector<Axes<dim>> held_;
 };

@@ -9,7 +9,7 @@
 namespace cosurge::fem {
 namespace {
 
-constexpr double rounding = 1e-6;  // of a spacing
+constexpr double rounding = 1e-6;  // [spacings]
 
 }  // namespace
 

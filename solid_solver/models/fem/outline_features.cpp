@@ -7,11 +7,11 @@
 namespace cosurge::fem {
 namespace {
 
-constexpr double spread = 0.03;  // of a corner's normals, their least share in any direction
+constexpr double spread = 0.03;  // smallest share of a corner's normals in any direction
 constexpr double sharp = 0.86;   // largest cosine of the angle between normals, and of a crease's turn
 constexpr std::size_t parts_of_ring = 4;
 
-/// Of the sum of unit normals n (x) n around a point: whether they span the space.
+/// Whether the unit normals n around a point, given by the sum of n (x) n, span the space.
 template <int dim>
 bool spans(const Mat<dim>& normals) {
   return Eigen::SelfAdjointEigenSolver<Mat<dim>>(normals).eigenvalues()[0] > spread * normals.trace();
@@ -186,8 +186,8 @@ class Tracing {
 
   const Surface& surface_;
   std::vector<Point> corners_;
-  std::vector<std::size_t> number_;      // of each point among the corners
-  std::vector<std::vector<char>> seen_;  // of each point's sharp edges
+  std::vector<std::size_t> number_;      // index of each point among the corners
+  std::vector<std::vector<char>> seen_;  // visited sharp edges of each point
   std::vector<std::vector<Point>> chains_;
 };
 

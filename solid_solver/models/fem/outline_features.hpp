@@ -14,7 +14,7 @@ struct Crease {
   std::vector<Vec<3>> points;       ///< from the one to the other
 
   double length() const;
-  Vec<3> at(double share) const;           ///< of its length, from its first point
+  Vec<3> at(double share) const;           ///< `share` of its length from its first point
   double distance(const Vec<3>& x) const;  ///< [m]
 };
 

@@ -102,8 +102,8 @@ struct Stress {
   }
 };
 
-/// The gradient in the retardation time, H + tau dH/dt (S40). H is linear in the displacement: what it has
-/// changed by in a sub-step is the gradient of the velocity in it. With dt = 0, of the present velocity.
+/// The gradient in the retardation time, H + tau dH/dt (S40). H is linear in the displacement: its change in
+/// a sub-step is the gradient of the mean velocity. With dt = 0 the present velocity is used.
 template <int dim>
 typename HamiltonianBody<dim>::Tensor HamiltonianBody<dim>::later_gradient(const Tensor& H, Eigen::Index i,
                                                                            double dt) {
@@ -121,7 +121,7 @@ typename HamiltonianBody<dim>::Tensor HamiltonianBody<dim>::later_gradient(const
   return later;
 }
 
-/// G of a particle with the gradient H, whose stress is that of another.
+/// G of a particle with the gradient H and the stress of the gradient `later`.
 template <int dim>
 void HamiltonianBody<dim>::put_stress(const Tensor& H, const Tensor& later, Eigen::Index i) const {
   const Elasticity& material = substance_.material;

@@ -11,9 +11,9 @@ namespace cosurge::hamiltonian {
 
 /// Total Lagrangian particles (Kondo et al. 2010; docs/method_solid.md, section 9): deformation gradients by
 /// weighted least squares over the reference neighbours, St. Venant-Kirchhoff material, and a second energy
-/// of what those gradients do not see, which holds the shortest waves. Forces are the exact derivative of the
-/// sum: energy, linear and angular momentum are kept; viscosity (S40) takes energy only. Velocity Verlet.
-/// Sums run over the neighbours in ascending order, eight particles at a time.
+/// for deformation that those gradients do not see, which holds the shortest waves. Forces are the exact
+/// derivative of the sum: energy, linear and angular momentum are kept; viscosity (S40) takes energy only.
+/// Velocity Verlet. Sums run over the neighbours in ascending order, eight particles at a time.
 template <int dim>
 class HamiltonianBody : public particles::ParticleBody<dim> {
  public:
@@ -65,9 +65,9 @@ class HamiltonianBody : public particles::ParticleBody<dim> {
   Tensors inverse_shape_;  // A^-1 [1/m2]
   mutable Tensors pull_;   // G = (P A^-1 - kappa c0 H) / rho
   Tensors gradient_;       // H of the sub-step before
-  Vectors acceleration_;   // internal, of the present displacement and the velocity half a step before
+  Vectors acceleration_;   // by internal forces, with the velocity half a step before
   bool fresh_ = false;     // whether acceleration_ is
-  double lambda_;          // of the particles [Pa]
+  double lambda_;          // for the particles [Pa]
   std::optional<particles::CellDilatation<dim>> cells_;  // where Poisson's ratio is near 1/2 (S42)
 };
 

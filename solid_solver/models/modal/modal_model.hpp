@@ -16,7 +16,7 @@ class ModalModel : public SolidModel {
   /// @param spacing of the points that follow the bodies [m]
   ModalModel(const v1::Solid& solid, double spacing, const Vec<dim>& gravity);
 
-  /// Of body b.
+  /// Modes of body b.
   const Modes& modes(std::size_t b) const { return modes_.at(b); }
 
   Eigen::Index nodes() const override { return bodies_.nodes(); }
@@ -64,8 +64,8 @@ class ModalModel : public SolidModel {
   std::vector<double> damping_;  // rate of each body [1/s]
   std::vector<Modes> modes_;
   Vectors weight_;                                    // gravity's load on the modes
-  std::vector<std::vector<OscillatorState>> states_;  // of each body's modes
-  std::vector<OscillatorStep> steps_;                 // of all modes, for a window of steps_size_
+  std::vector<std::vector<OscillatorState>> states_;  // states of each body's modes
+  std::vector<OscillatorStep> steps_;                 // steps of all modes for a window of steps_size_
   double steps_size_ = 0;
 };
 

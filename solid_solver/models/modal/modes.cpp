@@ -12,10 +12,10 @@
 namespace cosurge::modal {
 namespace {
 
-// Of the fundamental pressure wave's omega^2: far below the modes of any but the slenderest body, and far
-// above the rounding of K.
+// Shift relative to omega^2 of the fundamental pressure wave: far below the modes of any but the slenderest
+// body, and far above the rounding of K.
 constexpr double shift = 1e-3;
-constexpr double rounding = 1e-6;  // of the shift: what a rigid motion has instead of 0
+constexpr double rounding = 1e-6;  // [shift] tolerance for the zero eigenvalue of a rigid motion
 constexpr double tolerance = 1e-12;
 constexpr int most_restarts = 1000;
 

@@ -203,7 +203,7 @@ double MpsBody<dim>::highest_frequency() const {
   MpsBody moved = *this;
   struct Unknown {
     double* coordinate;
-    int component;  // of the acceleration, the angular ones last
+    int component;  // component of the acceleration; angular components last
     Eigen::Index slot;
   };
   std::vector<Unknown> unknowns;

@@ -28,7 +28,7 @@ class MpsBody : public particles::ParticleBody<dim> {
   /// Highest angular frequency of the undeformed body, rotations included [rad/s] (S12).
   double highest_frequency() const;
 
-  /// By the symplectic Euler scheme (S11).
+  /// Advances by the symplectic Euler scheme (S11).
   void advance(int substeps, double dt) override;
 
   /// Kinetic energy of the velocities at the instant of the displacements, v + dt/2 a (S18).
@@ -45,7 +45,7 @@ class MpsBody : public particles::ParticleBody<dim> {
              const Vec<dim>& velocity, const Axial& spin);
   using particles::ParticleBody<dim>::place;
 
-  Axial angular_momentum() const;  ///< about the origin, of the particles' motion and their spin [kg m2/s]
+  Axial angular_momentum() const;  ///< about the origin: particles' motion plus spin [kg m2/s]
 
   void save(StateWriter& state) const override;
   void restore(StateReader& state) override;
@@ -75,7 +75,8 @@ class MpsBody : public particles::ParticleBody<dim> {
   using Displacements = std::array<Slots, dim>;
   using Rotations = std::array<Slots, Rot::components>;
 
-  /// What strains are measured of: the present pose, or that of the retardation time ahead (S40).
+  /// Pose for which strains are measured: the present pose, or the pose extrapolated by the retardation time
+  /// (S40).
   struct Pose {
     const Displacements& displacement;
     const Rotations& rotation;

@@ -34,8 +34,8 @@ struct Rotation<2> {
   std::array<Lanes, components> q;
 
   struct Pair {
-    Lanes cosine, sine;            // of the mean angle
-    Lanes half_cosine, half_sine;  // of half the angle from one to the other
+    Lanes cosine, sine;            // mean angle
+    Lanes half_cosine, half_sine;  // half the angle between the two
 
     /// x, turned by the mean rotation (S1).
     LaneVec<2> turn(const std::array<double, 2>& x) const {
@@ -44,7 +44,7 @@ struct Rotation<2> {
     /// Twice the share of the first in a couple on the mean rotation: half of it for each.
     Axial share(const Axial& couple) const { return couple; }
     Axial twist() const { return {2 * half_cosine * half_sine}; }  ///< sine of the relative angle (S38)
-    Lanes one_minus_cosine() const { return 2 * half_sine * half_sine; }  ///< of the relative angle
+    Lanes one_minus_cosine() const { return 2 * half_sine * half_sine; }  ///< for the relative angle
   };
 
   Pair with(const Rotation& other) const {
@@ -75,9 +75,9 @@ struct Rotation<3> {
   std::array<Lanes, components> q;  // scalar first
 
   struct Pair {
-    Lanes scalar, over_square;  // of the sum of both quaternions, and 2 over its square
+    Lanes scalar, over_square;  // for the sum of both quaternions, and 2 over its square
     LaneVec<3> vector;
-    Lanes half_cosine;     // of half the angle from one to the other
+    Lanes half_cosine;     // half the angle between the two
     LaneVec<3> half_sine;  // times the axis
 
     LaneVec<3> turn(const std::array<double, 3>& x) const {

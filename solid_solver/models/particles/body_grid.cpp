@@ -9,7 +9,7 @@
 namespace cosurge::particles {
 namespace {
 
-constexpr double coincide = 1e-6;  // of a spacing: two sites that rounding parted are one
+constexpr double coincide = 1e-6;  // [spacings] tolerance for equal sites
 
 template <int dim>
 struct LatticeOrder {

@@ -23,7 +23,7 @@ class BodyGrid {
 
   const std::vector<Vec<dim>>& positions() const {
     return positions_;
-  }                                                                  ///< of the particles, held ones too [m]
+  }  ///< positions of all particles, held ones too [m]
   bool held(std::size_t particle) const { return held_[particle]; }  ///< in a clamp, along all axes
   const Axes<dim>& held_axes(std::size_t particle) const { return held_axes_[particle]; }
   Eigen::Index slot(std::size_t particle) const { return slots_[particle]; }

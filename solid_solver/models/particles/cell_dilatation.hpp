@@ -30,11 +30,11 @@ class CellDilatation {
   /// @param members 1 or 0 for each slot: particles between which there are cells
   CellDilatation(const BodyGrid<dim>& grid, const Slots& members, double spacing, const Elasticity& material);
 
-  /// Measures all cells. The stress is that of the displacement u + retardation * v (S40), its direction that
-  /// of u.
+  /// Measures all cells. The stress belongs to the displacement u + retardation * v (S40), its direction to
+  /// the displacement u.
   void measure(const Vectors& u, const Vectors& v, double retardation) const;
 
-  /// Of the particles in slots from i on, by the cells as measured [m/s2].
+  /// Acceleration of the particles in slots from i on, by the cells as measured [m/s2].
   LaneVec<dim> acceleration(Eigen::Index i) const;
 
   /// Energy of the cells whose first particles are in slots from i on, over a particle's mass [m2/s2].
@@ -58,9 +58,8 @@ class CellDilatation {
   std::array<Diagonal, diagonals> diagonals_;
   Slots stiffness_;  // lambda_c / rho times the cell's volume in particles, at its first one [m2/s2]; 0: no
                      // cell
-  mutable Slots dilatation_;  // of each cell
-  mutable std::array<Vectors, diagonals>
-      pull_;  // of each diagonal on its ends, over a particle's mass [m/s2]
+  mutable Slots dilatation_;                     // dilatation of each cell
+  mutable std::array<Vectors, diagonals> pull_;  // acceleration of the ends of each diagonal [m/s2]
 };
 
 }  // namespace cosurge::particles

@@ -16,7 +16,7 @@ template <int dim>
 struct Substance {
   Elasticity material;
   Vec<dim> gravity;         ///< [m/s2]
-  double damping_rate = 0;  ///< of all velocities [1/s]: v' = ... - rate v
+  double damping_rate = 0;  ///< damping rate of all velocities [1/s]: v' = ... - rate v
   double retardation = 0;   ///< tau of Kelvin and Voigt's stress, S(E + tau dE/dt) [s] (S40)
 };
 
@@ -40,10 +40,10 @@ class ParticleBody {
   /// @param dt of the last sub-step [s]
   virtual Energies energies(double dt) const = 0;
 
-  /// By internal forces alone [m/s2]; of held particles too, as if they were free.
+  /// Acceleration by internal forces alone [m/s2]; held particles as if they were free.
   virtual Field acceleration() const = 0;
 
-  /// By loads on the particles [N] alone [m/s2]; none of held particles.
+  /// Acceleration by loads on the particles [N] alone [m/s2]; zero for held particles.
   Field acceleration_by(const Eigen::Ref<const Field>& load) const;
 
   /// See SolidModel::force_instant.
@@ -63,7 +63,7 @@ class ParticleBody {
   virtual void restore(StateReader& state);
 
  protected:
-  /// Of slot j less that of slot i.
+  /// Value of slot j minus value of slot i.
   static LaneVec<dim> difference(const std::array<Slots, dim>& values, Eigen::Index i, Eigen::Index j);
   Field gather(const std::array<Slots, dim>& values) const;
 

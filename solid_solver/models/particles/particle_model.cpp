@@ -12,7 +12,7 @@ namespace {
 
 constexpr double interpolation_radius =
     2.5;                        // l0: the corner of a body, half a spacing off, still finds four particles
-constexpr double whole = 1e-6;  // of a sub-step: a window of 20.0000001 sub-steps is one of 20
+constexpr double whole = 1e-6;  // [sub-steps] tolerance: a window of 20.0000001 sub-steps has 20
 
 }  // namespace
 
@@ -131,7 +131,7 @@ NodeLayout ParticleModel<dim>::layout() const {
 
 template <int dim>
 Field ParticleModel<dim>::inertia(const Field& acceleration) const {
-  return bodies_.front()->particle_mass() * acceleration;  // of one material and one spacing, all are alike
+  return bodies_.front()->particle_mass() * acceleration;  // one material and one spacing: equal masses
 }
 
 template <int dim>

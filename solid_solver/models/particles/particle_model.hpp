@@ -19,9 +19,9 @@ class ParticleModel : public SolidModel {
 
   /// What the case says of sub-steps, and the longest stable one [s].
   struct Steps {
-    std::string key;   ///< of the case's table: "solid.mps"
+    std::string key;   ///< key of the case's table: "solid.mps"
     double stable;     ///< [s]
-    double fraction;   ///< of it
+    double fraction;   ///< step as a share of the stable one
     double fixed = 0;  ///< instead [s], where not 0
     std::string else_runs_away =
         {};  ///< what else than a step or a load makes particles run away, and a remedy
@@ -71,7 +71,7 @@ class ParticleModel : public SolidModel {
 /// half a step before (S12, S41).
 /// @param highest frequency [rad/s]
 inline double stable_step(double highest, double retardation) {
-  const double ratio = 0.5 * highest * retardation;  // of the fastest motion's damping to critical damping
+  const double ratio = 0.5 * highest * retardation;  // damping ratio of the fastest motion
   return 2 / highest * (std::sqrt(1 + ratio * ratio) - ratio);
 }
 

@@ -6,7 +6,7 @@
 namespace cosurge::particles {
 namespace {
 
-constexpr double on_the_edge = 1e-9;  // of a spacing: rounding must not decide whether a site lies at r_e
+constexpr double on_the_edge = 1e-9;  // [spacings] tolerance for sites at r_e
 
 /// Calls visit(k) for all k with lower <= k_a <= upper, the first coordinate fastest.
 template <int dim, typename Visit>

@@ -42,9 +42,9 @@ class RigidModel : public SolidModel {
   Vec<dim> middle(std::size_t body) const { return 0.5 * (bounds_[body].min + bounds_[body].max); }
   double length(std::size_t body) const { return (bounds_[body].max - bounds_[body].min).maxCoeff(); }
 
-  std::vector<Box<dim>> bounds_;  // of the bodies
+  std::vector<Box<dim>> bounds_;  // box of each body
   std::vector<int> particle_body_;
-  std::vector<float> positions_;  // of the lattice that fills the bodies, for frames
+  std::vector<float> positions_;  // lattice points in the bodies, for frames
   Eigen::VectorXd total_load_ = Eigen::VectorXd::Zero(dim);
 };
 

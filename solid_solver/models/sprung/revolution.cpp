@@ -71,7 +71,7 @@ Mat<dim> Revolution<dim>::rotation() const {
          2 * half * half * (generator_ * generator_);
 }
 
-/// Of a matrix on the nodes' arms.
+/// Product of a matrix with the nodes' arms.
 template <int dim>
 typename Revolution<dim>::Nodal Revolution<dim>::arms(const Mat<dim>& turned) const {
   Nodal moved = Nodal::Zero();

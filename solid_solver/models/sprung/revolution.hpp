@@ -32,11 +32,13 @@ class Revolution {
   int advance(double window, const Nodal& first, const Nodal& last, const Vec<dim>& arm,
               const Vec<dim>& weight, Nodal& ramp_increment);
 
-  Nodal displacement() const { return arms(rotation() - Mat<dim>::Identity()); }  ///< of the nodes [m]
-  Nodal velocity() const;                                                         ///< [m/s]
+  Nodal displacement() const {
+    return arms(rotation() - Mat<dim>::Identity());
+  }                        ///< displacement of the nodes [m]
+  Nodal velocity() const;  ///< [m/s]
   double kinetic_energy() const;
   double spring_energy() const;
-  std::vector<NodalMode> modes() const;  ///< of small rotations from where it is
+  std::vector<NodalMode> modes() const;  ///< small rotations about the present position
 
   void save(StateWriter& state) const;
   void restore(StateReader& state);
@@ -54,7 +56,7 @@ class Revolution {
   NodalMode mode(const Mat<dim>& spin, double inertia, double stiffness) const;
 
   double length_;
-  Mat<dim> generator_ = Mat<dim>::Zero();  // of the rotation about the one axis: dX/dtheta = generator X
+  Mat<dim> generator_ = Mat<dim>::Zero();  // of a rotation about one axis: dX/dtheta = generator X
   std::optional<Turning> single_;
   std::optional<SpaceTurning> space_;
 };

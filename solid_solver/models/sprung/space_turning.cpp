@@ -33,7 +33,7 @@ double SpaceTurning::spring_energy(const Eigen::Quaterniond& at) const {
   return 0.5 * theta.dot(stiffness.cwiseProduct(theta)) - preload.dot(theta);
 }
 
-/// By a step that ends at `after`; psi . moment is what the springs' energy loses.
+/// Springs' moment in a step that ends at `after`; psi . moment is the loss of the springs' energy [N m].
 Vec<3> SpaceTurning::spring_moment(const Eigen::Quaterniond& after, const Vec<3>& psi) const {
   constexpr double too_small = 1e-7;  // rad: the last digits of the energies' difference are lost
   if (!has_springs()) return Vec<3>::Zero();
@@ -55,7 +55,7 @@ void SpaceTurning::check_springs(const Eigen::Quaterniond& after) const {
 }
 
 void SpaceTurning::step(const Moment& moment, double dt) {
-  constexpr double tolerance = 1e-15;  // of a radian
+  constexpr double tolerance = 1e-15;  // [rad]
   constexpr int most = 100;
   const Mat<3> before = rotation();
   const Mat<3> inverse = inertia.inverse();

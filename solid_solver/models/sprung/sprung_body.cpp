@@ -27,7 +27,7 @@ SprungBody<dim>::SprungBody(const v1::Body& body, int index, const v1::SolidSpru
   length_ = (shape_.bounds().max - shape_.bounds().min).maxCoeff();
   mass_ = parameters.has_mass() ? parameters.mass() : density * moments.volume;
   Eigen::Matrix<double, dim, nodes> slopes =
-      Eigen::Matrix<double, dim, nodes>::Zero();  // of the coefficients [1/m]
+      Eigen::Matrix<double, dim, nodes>::Zero();  // slopes of the coefficients [1/m]
   slopes.col(0).setConstant(-1 / length_);
   slopes.template rightCols<dim>().diagonal().setConstant(1 / length_);
   const Coefficients centre = coefficients(moments.centre);

@@ -37,7 +37,7 @@ class SprungBody {
   /// Its nodes where it is drawn [m].
   Field position() const;
 
-  /// M a [N]: of a rigid body, whose acceleration is as affine between the nodes as its motion.
+  /// M a [N] for a rigid body, whose acceleration between the nodes is affine like its motion.
   Field inertia(const Field& acceleration) const { return acceleration * nodal_mass_; }
 
   /// Its free motions, about where it is.
@@ -61,7 +61,7 @@ class SprungBody {
 
   Shape<dim> shape_;
   Vec<dim> pivot_, arm_to_centre_, gravity_;
-  double length_;  // of the nodes' arms [m]
+  double length_;  // length of the nodes' arms [m]
   double mass_;
   Eigen::Matrix<double, nodes, nodes>
       nodal_mass_;  // integral of the density times products of coefficients [kg]

@@ -7,7 +7,7 @@
 namespace cosurge::sprung {
 
 void Turning::step(const Couple& couple, double dt) {
-  constexpr double tolerance = 1e-15;  // of a radian
+  constexpr double tolerance = 1e-15;  // [rad]
   constexpr int most = 100;
   const double stiff = inertia + 0.5 * dt * damping + 0.25 * dt * dt * stiffness;
   double change = dt * speed;

@@ -16,7 +16,7 @@ using ::testing::HasSubstr;
 
 struct Scene {
   std::string name;
-  std::string motion;  // of an obstacle from x = 0.1 to 0.2 m in a tank of 0.8 x 0.3 m, for a second
+  std::string motion;  // motion of an obstacle from x = 0.1 to 0.2 m in a tank of 0.8 x 0.3 m, for 1 s
   std::string doubt;   // "": none
 };
 

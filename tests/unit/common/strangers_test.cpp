@@ -1,4 +1,4 @@
-// Whoever connects to a TCP port on which a solver is awaited, and is none.
+// Connections by programs that are not solvers to a TCP port that awaits a solver.
 #include <arpa/inet.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -13,8 +13,8 @@ using ::testing::HasSubstr;
 using testing::Piston;
 using testing::PistonRun;
 
-/// Windows that were iterated, among `count` at least, of a piston with an added mass of `ratio` times its
-/// own.
+/// Number of iterated windows among at least `count` windows, for a piston with an added mass of `ratio`
+/// times its own.
 struct AutomaticRun {
   PistonRun piston;
   double iterated = 0;

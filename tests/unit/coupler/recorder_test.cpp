@@ -128,7 +128,7 @@ std::string text_of(const fs::path& path) {
   return text.str();
 }
 
-/// That the file holds exactly `frames` frames of snapshots(0, 1, ...) .
+/// Checks that the file holds exactly `frames` frames of snapshots(0, 1, ...) .
 void expect_frames(const fs::path& path, std::size_t frames) {
   const H5::H5File file(path.string(), H5F_ACC_RDONLY);
   EXPECT_EQ(read_series(file, "/frames/time").size(), frames);

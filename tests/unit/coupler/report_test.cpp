@@ -82,7 +82,7 @@ std::uint16_t word(const std::vector<std::uint8_t>& bytes, std::size_t at, std::
   return static_cast<std::uint16_t>(bytes[at + k] | bytes[at + n + k] << 8);
 }
 
-/// By the rules of packed_frames.hpp, without its code.
+/// Unpacks by the rules of packed_frames.hpp, without its code.
 void expect_frames_back(int dimension) {
   const Turning source(dimension);
   Cast cast{.member = "fluid", .particles = {}, .finest = 0, .quantities = {"pressure", "speed"}};

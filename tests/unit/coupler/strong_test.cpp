@@ -124,7 +124,7 @@ TEST(StrongCoupling, TakesTheNearestIterationAndCountsTheWindowWhereTheLimitIsRe
 }
 
 TEST(StrongCoupling, OfTheMeanVelocityUnderARampIsUnstableBeyondARatioOfThree) {
-  // Solved exactly in each window, and yet: of the change of the mean velocity, a sixth is the new load's.
+  // Solved exactly in each window; yet the new load causes a sixth of the change of the mean velocity.
   const auto growth = [](double ratio) {
     v1::Coupling coupling = strong(v1::Iteration::iqn_ils);
     coupling.set_load(v1::Coupling::ramped);
@@ -141,8 +141,8 @@ TEST(StrongCoupling, OfTheMeanVelocityUnderARampIsUnstableBeyondARatioOfThree) {
 }
 
 TEST(StrongCoupling, CreatesNoEnergyAtTheInterface) {
-  // The water has seen the motion that came out, to the tolerance; with the mean velocity the two works are
-  // of the same load on the same path.
+  // The water has seen the resulting motion, to the tolerance; with the mean velocity both works are computed
+  // for the same load on the same path.
   PistonRun run(piston_of(5), strong(v1::Iteration::iqn_ils));
   run.run(1000);
   double gross = 0, before = 0;
@@ -165,7 +165,7 @@ TEST(StrongInertial, NeedsOneIterationWhereTheModesTellAll) {
   coupling.set_velocity(v1::Coupling::end);
   for (const double ratio : {0.1, 1.0, 50.0, 1000.0}) {
     Piston piston = piston_of(ratio);
-    piston.substeps = 1;  // of symplectic Euler: answers a load by dt / m exactly
+    piston.substeps = 1;  // symplectic Euler then answers a load by dt / m exactly
     piston.tells_mode = true;
     PistonRun run(piston, coupling, 6e-3);
     run.run(1000);
@@ -187,7 +187,7 @@ TEST(StrongInertial, FindsWhatStrongFindsWhateverTheModesSay) {
     a.run(200);
     b.run(200);
     for (std::size_t k = 0; k < a.history.pressure.size(); ++k)
-      ASSERT_NEAR(a.history.pressure[k], b.history.pressure[k], 1e-4)  // of 5 kPa, after 200 tolerances
+      ASSERT_NEAR(a.history.pressure[k], b.history.pressure[k], 1e-4)  // 5 kPa, after 200 tolerances
           << "window " << k << ", ratio " << ratio;
   }
 }

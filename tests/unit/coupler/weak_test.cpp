@@ -55,8 +55,9 @@ TEST_P(WeakCoupling, IsStableJustBelowItsLimitAndUnstableJustAbove) {
 }
 
 using C = v1::Coupling;
-// By the spectral radius of the update (docs/method.md, table of section 3). Two last rows: the mean velocity
-// of n sub-steps of symplectic Euler holds 2 n / (n - 1), and 3 / 2 with a ramp and many sub-steps.
+// Limits from the spectral radius of the update (docs/method.md, table of section 3). Last two rows: with the
+// mean velocity of n sub-steps of symplectic Euler the limit is 2 n / (n - 1); with a ramp and many sub-steps
+// 3 / 2.
 INSTANTIATE_TEST_SUITE_P(
     Limits, WeakCoupling,
     ::testing::Values(Limit{"HeldEnd", C::held, C::end, C::last, 10, 1.0},

@@ -66,7 +66,7 @@ TEST(AddedMassOfAFloor, IsTheMassOfTheColumnAboveAndTheLoadAgreesWithTheAnswer) 
     // gamma takes 1 %, the operator's reach into the body, where there is no row, 0.8 %; and the pressure
     // belongs to particles half a spacing off: 2.5 % of the height.
     EXPECT_NEAR(mps.added_mass().ratio(), added / mass, 0.05 * added / mass) << dt;
-    // The pressure of free fall is zero, so that the load is that of the answer alone: f = -m_a c and
+    // The pressure of free fall is zero, so the load is caused by the response alone: f = -m_a c and
     // c = (f - predicted) / m.
     mps.load(surface);
     const double found = mass * mps.added_mass().ratio();

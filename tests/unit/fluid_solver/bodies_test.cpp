@@ -15,7 +15,7 @@ using test::box_of;
 using test::solid_of;
 
 constexpr double l0 = 0.01;
-constexpr double rounding = 1e-13;  // of areas of order l0 and coordinates of order one
+constexpr double rounding = 1e-13;  // for areas of order l0 and coordinates of order one
 
 const Box<2> tank2({0, 0}, {0.5, 0.5});
 const Box<3> tank3({0, 0, 0}, {0.5, 0.5, 0.5});

@@ -76,7 +76,7 @@ TEST(CoveredFaces, CloseAsAPlateComesToAnObstacle) {
   };
   const double apart = wet_points(0.6 * l0);
   EXPECT_EQ(wet_points(0.3 * l0), apart);
-  EXPECT_EQ(wet_points(0), apart - 19);  // of 20 points on the face the uppermost has its upper face open
+  EXPECT_EQ(wet_points(0), apart - 19);  // the uppermost of 20 points has an open upper face
   EXPECT_EQ(wet_points(0.6 * l0), apart);
 }
 

@@ -135,7 +135,7 @@ TEST(EquationDivergence, IsTheRateAtWhichTheSmoothDensityThinsInAnyDisorder) {
   EXPECT_GT(known, 80);
 }
 
-/// Water alone, its free surface found, with the equation's divergence and that of near neighbours.
+/// Water alone, with its free surface; the equation's divergence and the divergence of near neighbours.
 struct Patch {
   test::Cloud<2> cloud = test::block<2>({48, 48}, l0);
   PoissonEquation<2> equation{
@@ -177,7 +177,7 @@ TEST(EquationDivergence, SeesThatAStretchedLatticeKeepsItsVolume) {
     particles.u[i] = {particles.x[i][0], -particles.x[i][1]};
   }
   const auto [wide, near] = patch.errors([](const Vec<2>&) { return 0.0; });
-  EXPECT_LT(wide, 0.02);  // of a rate of strain of 1
+  EXPECT_LT(wide, 0.02);  // for a rate of strain of 1
   EXPECT_GT(near, 0.1);
 }
 

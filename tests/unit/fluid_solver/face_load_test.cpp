@@ -25,7 +25,7 @@ Surface load_at_rest(const v1::Fluid& fluid, const v1::Solid& solid, const Mps<d
   return surface;
 }
 
-/// Buoyancy of a box of 0.2 m x 0.1 m that sits 0.05 m deep, over that of Archimedes.
+/// Buoyancy of a box of 0.2 m x 0.1 m that sits 0.05 m deep, divided by Archimedes' value.
 double buoyancy(int spacings_of_draught) {
   const double l0 = 0.05 / spacings_of_draught;
   v1::Fluid fluid = tank_of_water(
@@ -40,7 +40,7 @@ double buoyancy(int spacings_of_draught) {
   return surface.force.row(1).sum() / (1000 * g * 0.2 * 0.05);
 }
 
-// Of the first step, on the lattice, whose surface is a quarter of a spacing high (open_surface_test.cpp).
+// First step, on the lattice, whose surface is a quarter of a spacing high (open_surface_test.cpp).
 TEST(FaceLoad, BuoyancyIsArchimedes) {
   EXPECT_NEAR(buoyancy(5), 1, 0.06);
   EXPECT_NEAR(buoyancy(10), 1, 0.03);

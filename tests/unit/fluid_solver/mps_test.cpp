@@ -35,8 +35,8 @@ void expect_free_fall(const v1::Fluid& fluid, double dt) {
   for (int i = 0; i < mps.particles().size(); ++i) {
     if (mps.particles().kind[i] != Kind::fluid) continue;
     const Vec<dim> fallen = mps.particles().x[i] - start[mps.particles().id[i]];
-    // The densities of the lattice differ from n0 by rounding, of the matrix's single precision where the
-    // source has its density; the pressures that they cause move nothing else.
+    // The densities of the lattice differ from n0 by rounding; in single precision if the source uses the
+    // matrix's density; the pressures that they cause move nothing else.
     const double rounding = fluid.source() == v1::Fluid::deviation ? 1e-9 : 1e-7;
     EXPECT_LT((fallen - path * Vec<dim>(-Vec<dim>::Unit(dim - 1))).norm(), rounding * fluid.spacing());
   }
@@ -149,7 +149,7 @@ TEST(MpsStep, ThePropagationSpeedComesFromTheHeightOfTheWater) {
     return largest;
   };
   const double speed = std::sqrt(g * 0.2);
-  EXPECT_LT(distance(speed), 1e-6);  // Pa, rounding: of some 1e3
+  EXPECT_LT(distance(speed), 1e-6);  // rounding [Pa]; pressures are about 1e3 Pa
   EXPECT_GT(distance(1.05 * speed), 1e-2);
 }
 

@@ -18,7 +18,7 @@ using test::rho;
 using test::single;
 using test::Tank;
 
-/// The weight of unknown k towards unknown m, 0 where there is none.
+/// The weight of unknown k towards unknown m; 0 if there is none.
 float entry(const Matrix& A, int k, int m) {
   float found = 0;
   A.each(k, [&](int column, float weight) { found = column == m ? weight : found; });
@@ -95,8 +95,8 @@ TEST(PoissonEquation, HasOneUnknownForEachParticleWithAPressureThatIsNotFreeSurf
   EXPECT_EQ(in_cells, expected);
 }
 
-/// |b - A p| of the hydrostatic pressure, in units of rho g l0 times the diagonal, of the rows that `chosen`
-/// takes.
+/// |b - A p| of the hydrostatic pressure, in units of rho g l0 times the diagonal, for the rows that `chosen`
+/// selects.
 template <int dim, typename Chosen>
 double hydrostatic_residual(const Tank<dim>& tank, double depth, int& rows, Chosen&& chosen) {
   const auto& particles = tank.cloud.particles;
@@ -183,8 +183,8 @@ float weight_through_plate(const Tank<2>& tank) {
 
 TEST(PoissonEquation, WaterDoesNotSeeThroughABodyOfThreeLayers) {
   EXPECT_EQ(weight_through_plate(Tank<2>({.solid = &plate})), 0);
-  // Pressed onto both faces by 0.25 spacings, two fluid particles see each other with w(3.5 l0), of a
-  // diagonal of some 30.
+  // Pressed onto both faces by 0.25 spacings, the weight between two fluid particles is w(3.5 l0); the
+  // diagonal is about 30.
   EXPECT_LT(weight_through_plate(Tank<2>({.disorder = 0.25, .solid = &plate})), weight(3.5, 4.0) + 1e-6);
 }
 

@@ -31,8 +31,8 @@ TEST(Slip, WaterThatRunsAlongAWallHasNoDivergenceHoweverUnevenItLies) {
   EXPECT_GT(beside_floor(tank, 10), 0.02 * 10 / l0);
 }
 
-/// Sum over the rows of a column of particles above the floor, and the floor's own, of what a motion of the
-/// floor makes of divergence, in speeds of the floor; its own row's share.
+/// Divergence caused by a motion of the floor, in units of the floor's speed: the sum over the rows of a
+/// column of particles above the floor and the floor's own row; and the share of the floor's own row.
 template <int dim>
 std::pair<double, double> flux_of_floor(double along) {
   Tank<dim> tank({.water = 0.16, .open_surface = true});
@@ -57,7 +57,7 @@ std::pair<double, double> flux_of_floor(double along) {
 }
 
 // What a plane wall gives to the water by a sudden motion: the flux through each column of rows is the wall's
-// speed, eq. (10c), so that the pressure above the rows that see the wall is that of the exact solution.
+// speed, eq. (10c), so that the pressure above the rows that see the wall equals the exact solution.
 TEST(Slip, TheMomentumThatAWallGivesByASuddenMotionIsExact) {
   for (const double along : {0.0, 3.0}) {
     EXPECT_NEAR(flux_of_floor<2>(along).first, 1, 1e-5);

@@ -10,7 +10,7 @@ namespace cosurge::fluid {
 namespace {
 
 constexpr double l0 = 1;
-constexpr double n0 = 6.54;  // of the square lattice at 2.1 spacings
+constexpr double n0 = 6.54;  // for the square lattice at 2.1 spacings
 constexpr SurfaceDamping damping{.thin = 0.8 * n0, .share = 0.2};
 
 /// A round drop of uneven particles with their number density; velocity(x) gives what each does.

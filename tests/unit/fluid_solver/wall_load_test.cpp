@@ -63,7 +63,7 @@ v1::Shape box(const std::vector<double>& min, const std::vector<double>& max) {
   return shape_of(test::box_of(min, max));
 }
 
-/// Of the particles, by id.
+/// Values of the particles, by id.
 template <int dim>
 std::vector<std::int32_t> places(const Mps<dim>& mps) {
   std::vector<std::int32_t> place(static_cast<std::size_t>(mps.initial_size()));

@@ -53,7 +53,7 @@ TEST(Motion, ARampStartsItWithoutAJump) {
   const Motion<2> motion(ramped);
   const Vec<2> X(0.15, 0.2);
   constexpr double dt = 1e-6;
-  EXPECT_LT((motion.place(X, dt) - X).norm() / dt, 1e-4);  // of a speed of some 0.4 m/s
+  EXPECT_LT((motion.place(X, dt) - X).norm() / dt, 1e-4);  // the speed is about 0.4 m/s
   EXPECT_GT((motion.place(X, 0.2 + dt) - motion.place(X, 0.2)).norm() / dt, 0.01);
 }
 
@@ -270,7 +270,7 @@ TEST(Walls, WhatOfAMovingObstacleLiesInTheFloorStaysThere) {
 
 TEST(Walls, AnObstacleThatMovesIntoAnotherWallIsNamed) {
   struct Way {
-    double x, y;       // of the first obstacle in a second
+    double x, y;       // way of the first obstacle in a second
     std::string into;  // nothing: it has room
   };
   const std::vector<Way> ways = {

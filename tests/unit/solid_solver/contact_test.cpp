@@ -19,16 +19,16 @@ using Word = v1::SolidModel;
 constexpr double g = 9.81;
 constexpr double dt = ContactScene::window;
 
-// Of the energy of a blow: the springs' forces are held for sub-steps, 12 of which are a swing of the fastest
-// motion that the springs cause. What that misses where vertices begin and cease to touch within a sub-step
-// is of the order of the square of omega dt = 0.5 for one vertex alone, and averages over several. Largest
-// here: 3.5 % (`mps`, the block that falls), 0.9 % for a rigid block.
+// Tolerance as a share of the energy of a blow. The springs' forces are constant within a sub-step; 12
+// sub-steps are a period of the fastest motion that the springs cause. If a vertex begins or ceases to touch
+// within a sub-step, the error is of order (omega dt)^2 with omega dt = 0.5; over several vertices it
+// averages out. Largest error here: 3.5 % (`mps`, the block that falls), 0.9 % for a rigid block.
 constexpr double of_a_blow = 0.04;
 
-/// What the accounts of the model itself may miss, of the same: `mps` and `hamiltonian` have the ripple of
-/// their explicit steps, of (omega dt)^2 for waves that the blow excites, and `mps` the kinetic energy at the
-/// end of a sub-step with the force of its start (3.3 % within a blow); `fem` has its midpoint rule's error
-/// of large deformation, the others rounding.
+/// Tolerance for the model's own energy account, as a share of the same energy. `mps` and `hamiltonian` have
+/// a ripple of (omega dt)^2 from their explicit steps, for waves that the blow excites; `mps` also takes the
+/// kinetic energy at the end of a sub-step with the force at its start (3.3 % within a blow); `fem` has the
+/// midpoint rule's error in large deformation; the others have rounding.
 double of_the_model(Word::Word model) {
   switch (model) {
     case Word::mps:
@@ -216,7 +216,7 @@ INSTANTIATE_TEST_SUITE_P(AllModels, Contact,
                            return title(std::get<0>(scene.param), std::get<1>(scene.param));
                          });
 
-/// A plate on the floor, of three spacings, beside a wall.
+/// A plate of three spacings on the floor beside a wall.
 class Slap : public Contact {
  protected:
   ContactScene scene() const {

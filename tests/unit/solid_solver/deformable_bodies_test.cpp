@@ -218,7 +218,7 @@ TYPED_TEST(ExplicitBody, ViscousForcesAreThoseOfTheMotionInTheRetardationTime) {
   TypeParam moving(block), moved(block);
   const Field v = 1e-3 * (stretch() - Mat<2>::Identity()) * moving.sites();  // tau v is a strain of 1e-9
   moving.launch(v);
-  constexpr double share = 1e-6;  // of the stable step: of tau, 2e-6 at most
+  constexpr double share = 1e-6;  // share of the stable step; 2e-6 of tau at most
   moving.advance(1, share);
   moved.deform(tau * v, 0);
   const Field gained =

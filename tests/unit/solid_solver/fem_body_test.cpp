@@ -178,7 +178,7 @@ TEST(FemBody, DeformationTellsRotationFromStrain) {
   F << 1.01, -0.02, 0.02, 0.98;
   const auto deformation = body.deformation(affine(body, F));
   EXPECT_NEAR(deformation.rotation, 0.02, 1e-12);
-  EXPECT_NEAR(deformation.strain, 0.02, 1e-12);  // of 0.01 and -0.02
+  EXPECT_NEAR(deformation.strain, 0.02, 1e-12);  // strains 0.01 and -0.02
 }
 
 }  // namespace

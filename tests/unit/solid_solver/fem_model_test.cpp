@@ -78,9 +78,9 @@ TEST(FemModel, BendsUnderAUniformDeadLoadAsTheElasticaDoes) {
 /// What the paper's plate does, let go under a sideways gravity.
 struct Swing {
   double frequency;              // [Hz]
-  double amplitude;              // of the tip [m]
+  double amplitude;              // amplitude of the tip [m]
   double lowest, highest, last;  // kinetic + elastic + gravity's energy over the largest kinetic energy
-  double iterations;             // of Newton's method, mean over the windows
+  double iterations;             // Newton iterations, mean over the windows
 };
 
 Swing swing(double gravity, double rho_infinity, double window, double duration) {

@@ -25,7 +25,7 @@ Corners<dim> corners_of(const FittedGrid<dim>& grid, std::size_t element) {
   return corners;
 }
 
-/// By the elements' Gauss points.
+/// Volume from the elements' Gauss points.
 template <int dim>
 double volume_of(const FittedGrid<dim>& grid) {
   double volume = 0;
@@ -131,10 +131,10 @@ struct Sharp {
   const char* name;
   v1::Shape shape;
   double thickness;    // elements are some parts of it
-  double off = 1e-11;  // of the volume; rounding: flat faces between creases that edges of elements lie on
+  double off = 1e-11;  // share of the volume; default: rounding, for flat faces and followed creases
 };
 
-/// About an axis that is none of the coordinates'.
+/// About an axis that is not a coordinate axis.
 Mat<3> aslant() { return Eigen::AngleAxisd(0.7, Vec<3>(1, -2, 0.5).normalized()).toRotationMatrix(); }
 
 class SharpEdges : public testing::TestWithParam<Sharp> {};
@@ -169,12 +169,12 @@ INSTANTIATE_TEST_SUITE_P(
               0.3},
         Sharp{"arms",
               test::extruded({{0, 0}, {1, 0.2}, {0.9, 0.5}, {0.4, 0.4}, {0.2, 1}, {-0.1, 0.9}}, 0.4, 3), 0.35,
-              1e-3},  // of four parts two vertices would make elements too flat
+              1e-3},  // two vertices of four parts would make elements too flat
         Sharp{"tetrahedron", test::tetrahedron(1, {0, 0, 0}), 0.53}),
     [](const auto& choice) { return std::string(choice.param.name); });
 
 TEST(FittedGrid, HasTheVolumeOfACylinderToItsRims) {
-  // Of 96 sides: rims close on themselves, between them the face is smooth.
+  // 96 sides: the rims are closed, the face between them is smooth.
   std::vector<Vec<2>> rim;
   for (int k = 0; k < 96; ++k)
     rim.emplace_back(std::cos(k * std::numbers::pi / 48), std::sin(k * std::numbers::pi / 48));

@@ -104,7 +104,7 @@ TEST_P(Models, WorkIsTheChangeOfEnergy) {
   LoadedSolid run(c, test::left_face(40));
   double gross = 0, work = 0, energy = 0;
   for (int k = 0; k < 40; ++k) {
-    // Slow against the sub-steps; no load at the end, where the scheme's energy is that of the body alone.
+    // Slow against the sub-steps; no load at the end, where the scheme's energy equals the body's.
     run.surface.force =
         k < 39 ? Field(0.02 * std::sin(0.08 * k) * Field::Ones(2, 40)) : Field(Field::Zero(2, 40));
     const Report report = run.advance(2e-4);
@@ -113,9 +113,9 @@ TEST_P(Models, WorkIsTheChangeOfEnergy) {
     work = now;
     energy = run.value(report, "kinetic_energy") + run.value(report, "elastic_energy");
   }
-  // mps, hamiltonian: the work in a step is that of the load on the mean of two half steps' motion, and off
-  // by dt / 2 times the change of the load's power: 1e-5 s of 1e-2 s. fem: the mid-point rule, exact but for
-  // what is not linear. modal: exact but for rounding.
+  // mps, hamiltonian: the work in a step uses the mean of two half steps' motion; its error is dt / 2 times
+  // the change of the load's power: 1e-5 s of 1e-2 s. fem: the mid-point rule, exact except for nonlinear
+  // terms. modal: exact except for rounding.
   const bool particles = model() == v1::SolidModel::mps || model() == v1::SolidModel::hamiltonian;
   const double off = particles ? 2e-3 : model() == v1::SolidModel::fem ? 1e-5 : 1e-12;
   EXPECT_NEAR(energy, work, off * gross);

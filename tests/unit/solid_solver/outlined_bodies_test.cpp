@@ -135,7 +135,7 @@ double swing_of(const v1::Case& c, double expected, const Vec<2>& across, const 
   return 1 / (middles[2] - middles[0]);
 }
 
-/// That of the plate turned about its foot.
+/// The outline of the plate turned about its foot.
 double frequency_of_plate(v1::SolidModel::Word model, double angle, bool as_box) {
   const double thickness = 0.012, length = 0.060, spacing = 0.001;
   v1::Case c = scene_of({}, 2, spacing, model);

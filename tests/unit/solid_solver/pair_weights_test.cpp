@@ -29,7 +29,7 @@ Elasticity material() {
   return {.density = 2500, .young_modulus = 1e6, .poisson_ratio = 0.3};
 }
 
-/// Largest deviation of sum w r r^T / |r|^2 of a free particle from that of the lattice, over it.
+/// Largest relative deviation of sum w r r^T / |r|^2 of a free particle from the lattice's.
 template <int dim>
 double worst_moment(const PairWeights<dim>& weights, const particles::BodyGrid<dim>& grid,
                     const particles::Stencil<dim>& stencil) {

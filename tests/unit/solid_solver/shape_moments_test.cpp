@@ -7,7 +7,7 @@
 namespace cosurge {
 namespace {
 
-constexpr double rounding = 1e-14;  // of moments of order one
+constexpr double rounding = 1e-14;  // for moments of order one
 
 template <int dim>
 void expect_same(const ShapeMoments<dim>& a, const ShapeMoments<dim>& b) {
@@ -44,7 +44,7 @@ TEST(ShapeMoments, TurnWithTheShape) {
 }
 
 TEST(ShapeMoments, OfATetrahedronAreTheHandSums) {
-  // Integrals over x + y + z < 1: of 1, 1/6; of x, 1/24; of x^2, 1/60; of x y, 1/120.
+  // Integrals over x + y + z < 1 of the functions 1: 1/6; x: 1/24; x^2: 1/60; x y: 1/120.
   const auto found = moments<3>(test::tetrahedron(1, {2, 3, 4}));
   EXPECT_NEAR(found.volume, 1.0 / 6, rounding);
   EXPECT_NEAR(found.surface, 1.5 + std::sqrt(3) / 2, rounding);

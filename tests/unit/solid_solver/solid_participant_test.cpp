@@ -85,7 +85,8 @@ TEST(SolidParticipant, SubStepsStayBelowTheStableStep) {
   // (S40), (S41): by default tau = 0.2 l0 / c_p, c_p = 20 m/s, and omega_max = 2 / stable.
   const double ratio = 0.2 * l0 / 20 / stable;
   EXPECT_NEAR(viscous / stable, std::sqrt(1 + ratio * ratio) - ratio, 1e-12);
-  // That of the rotations in the endless lattice; springs of a body's own weights are up to 7 % faster.
+  // Frequency of the rotations in the infinite lattice; springs with a body's own weights are up to 7 %
+  // faster.
   const double lattice = 2 / std::sqrt(24.0) * l0 / std::sqrt(1e6 / 2 / 2500);
   EXPECT_LE(stable / lattice, 1);
   EXPECT_GE(stable / lattice, 0.93);

@@ -19,7 +19,7 @@ const Vec<3> sides(0.1, 0.2, 0.04);
 const Vec<3> centre = 0.5 * sides;
 const double mass = density * sides.prod();
 
-/// Of the brick about its centre [kg m2].
+/// Moments of inertia of the brick about its centre [kg m2].
 double inertia(int axis) { return mass / 12 * (sides.squaredNorm() - sides[axis] * sides[axis]); }
 
 v1::Case brick(const std::vector<v1::Spring::Motion>& motions, const Vec<3>& gravity = Vec<3>::Zero()) {

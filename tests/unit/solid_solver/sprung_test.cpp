@@ -14,7 +14,7 @@ namespace {
 using test::l0;
 using test::LoadedSolid;
 
-constexpr double mass = 2500 * 0.012 * 0.020;  // of the block below
+constexpr double mass = 2500 * 0.012 * 0.020;  // mass of the block below
 
 void add_spring(v1::Case& c, v1::Spring::Motion motion, double stiffness, double damping = 0) {
   v1::Spring& spring = *c.mutable_solid()->mutable_sprung()->add_spring();
