@@ -92,13 +92,19 @@ void AddedMass<dim>::solve(const Step& step, const std::vector<double>& right_ha
   iterations_ += report.iterations;
 }
 
+/// Acceleration of the body points by the modes' accelerations c [m/s2], dimension x points.
+template <int dim>
+Field AddedMass<dim>::motion_of(const Step& step, const Eigen::VectorXd& c) const {
+  Field motion = Field::Zero(dim, static_cast<Eigen::Index>(step.bodies.body_place.size()));
+  for (std::size_t m = 0; m < modes_.size(); ++m) motion += c[static_cast<Eigen::Index>(m)] * modes_[m].shape;
+  return motion;
+}
+
 /// Solves again for the motion of the modes with the accelerations c, so that the pressure fits this motion
 /// even where the pressure of a single mode is old.
 template <int dim>
 void AddedMass<dim>::answer(const Step& step, const Eigen::VectorXd& c, std::vector<double>& pressure) {
-  Field motion = Field::Zero(dim, static_cast<Eigen::Index>(step.bodies.body_place.size()));
-  for (std::size_t m = 0; m < modes_.size(); ++m) motion += c[static_cast<Eigen::Index>(m)] * modes_[m].shape;
-  std::vector<double> rows = right_hand_side(step, motion);
+  std::vector<double> rows = right_hand_side(step, motion_of(step, c));
   for (std::size_t k = 0; k < rows.size(); ++k) rows[k] += step.bodies.poisson.right_hand_side()[k];
   solve(step, rows, step.tolerance, pressure);
 }
@@ -149,6 +155,7 @@ template <int dim>
 void AddedMass<dim>::couple(const Step& step, std::vector<double>& pressure) {
   ratio_ = 0;
   iterations_ = 0;
+  velocity_change_.resize(0, 0);
   if (modes_.empty() || step.source_per_change.empty() || pressure.empty()) return;
   const auto ids = static_cast<std::size_t>(
       1 + *std::max_element(step.bodies.particles.id.begin(), step.bodies.particles.id.end()));
@@ -178,6 +185,7 @@ void AddedMass<dim>::couple(const Step& step, std::vector<double>& pressure) {
     c = next;
     answer(step, c, pressure);
   }
+  velocity_change_ = step.dt * motion_of(step, c);
   if (step.attempt <= 1) ++windows_;
 }
 

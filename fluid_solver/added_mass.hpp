@@ -58,6 +58,10 @@ class AddedMass {
   double ratio() const { return ratio_; }  ///< largest ratio of a mode's added mass to its mass in the window
   int iterations() const { return iterations_; }  ///< for the modes in the last window
 
+  /// Change of the body points' velocity in the window in addition to the predicted motion, dimension x
+  /// points [m/s]; empty without modes.
+  const Field& velocity_change() const { return velocity_change_; }
+
   void save(StateWriter& state) const;
   void restore(StateReader& state);
 
@@ -75,11 +79,13 @@ class AddedMass {
   std::vector<double> mode_pressure(const Step& step, std::size_t mode);
   void solve(const Step& step, const std::vector<double>& right_hand_side, double tolerance,
              std::vector<double>& p);
+  Field motion_of(const Step& step, const Eigen::VectorXd& c) const;
   void answer(const Step& step, const Eigen::VectorXd& c, std::vector<double>& pressure);
 
   std::vector<Mode> modes_;
   std::vector<std::vector<double>> last_;  // pressure of each mode by the particles' id
   int windows_ = 0;                        // coupled so far: whose turn it is
+  Field velocity_change_;
   double ratio_ = 0;
   int iterations_ = 0;
 };

@@ -254,6 +254,7 @@ SolveReport Mps<dim>::solve_pressure(double start, double dt, std::uint32_t atte
                       .lowest_pressure = parameters_.lowest_pressure()},
                      pressure_);
   take_pressure();
+  add_answer_of_modes();
   return report;
 }
 

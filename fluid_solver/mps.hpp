@@ -116,6 +116,7 @@ class Mps {
   }
   void take_pressure();
   void set_face_load();
+  void add_answer_of_modes();
   SolveReport solve_pressure(double start, double dt, std::uint32_t attempt);
   Vec<dim> pressure_gradient(int i) const;
   void correct(double dt);

@@ -28,6 +28,15 @@ void Mps<dim>::set_body_velocity(const Field& velocity) {
   follow_covers(particles_, covers_);
 }
 
+/// The velocity of the bodies that the pressure was solved for: the predicted one and the answer of the
+/// modes.
+template <int dim>
+void Mps<dim>::add_answer_of_modes() {
+  const Field& change = added_mass_.velocity_change();
+  for (Eigen::Index k = 0; k < change.cols(); ++k)
+    particles_.u[body_place_[static_cast<std::size_t>(k)]] += change.col(seen_[static_cast<std::size_t>(k)]);
+}
+
 template <int dim>
 void Mps<dim>::load(Surface& surface) const {
   for (int k = 0; k < bodies_.points(); ++k) {
@@ -102,6 +111,8 @@ template void Mps<2>::move_bodies(const Field&, const Field&);
 template void Mps<3>::move_bodies(const Field&, const Field&);
 template void Mps<2>::set_body_velocity(const Field&);
 template void Mps<3>::set_body_velocity(const Field&);
+template void Mps<2>::add_answer_of_modes();
+template void Mps<3>::add_answer_of_modes();
 template void Mps<2>::load(Surface&) const;
 template void Mps<3>::load(Surface&) const;
 template Vec<2> Mps<2>::slope_to_faces() const;

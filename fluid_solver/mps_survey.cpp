@@ -56,7 +56,11 @@ double Mps<dim>::longest_step(double speed) const {
   const double gravity = std::sqrt(spacing / std::max(gravity_.norm(), 1e-12));
   const double viscous = 0.2 * spacing * spacing / std::max(parameters_.kinematic_viscosity(), 1e-12);
   const double advective = parameters_.courant() * spacing / std::max(speed, 1e-12);
-  return std::min({advective, viscous, parameters_.courant() * gravity});
+  const double longest = std::min({advective, viscous, parameters_.courant() * gravity});
+  if (!open_surface()) return longest;
+  // The density is corrected at the rate c / l0: water at rest boils where a window corrects all of it.
+  constexpr double share = 0.5;
+  return std::min(longest, share * spacing / propagation_speed_);
 }
 
 template <int dim>

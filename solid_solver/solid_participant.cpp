@@ -19,14 +19,13 @@
 namespace cosurge {
 namespace {
 
-constexpr double no_limit = std::numeric_limits<double>::infinity();
-
-/// Longest window [s] that resolves an oscillation of `frequency` [rad/s]: 200 to a period, as weak coupling
-/// loses amplitude in proportion to the window (docs/stability.md). A structure that needs windows much
-/// shorter than the water's follows its load as if it had no inertia.
-double window_of(const v1::Case& the_case, double frequency) {
-  constexpr double windows_per_period = 200, shortest = 0.5;
-  if (frequency == 0) return no_limit;
+/// Longest window [s] that resolves an oscillation of `frequency` [rad/s]. Weak coupling loses amplitude in
+/// proportion to the window (docs/stability.md); without water the structure's own integration is the limit.
+/// A structure that needs windows much shorter than the water's follows its load as if it had no inertia.
+double window_of(const v1::Case& the_case, double frequency, bool loaded) {
+  constexpr double shortest = 0.5;  // of the water's window
+  if (frequency == 0) return std::numeric_limits<double>::infinity();
+  const double windows_per_period = loaded ? 200 : 50;
   const double resolved = 2 * std::numbers::pi / (windows_per_period * frequency);
   return the_case.has_fluid() ? std::max(resolved, shortest * expected_window(the_case)) : resolved;
 }
@@ -74,11 +73,14 @@ Setup SolidParticipant::initialize(const v1::Case& the_case, Interface& interfac
   surface.displacement = displacement_ * H_.transpose();
   if (interface.points() > 0 || !the_case.time().has_window())
     frequency_ = slowest_oscillation(the_case, *model_);
-  if (!the_case.time().has_window()) window_ = window_of(the_case, frequency_);
+  if (!the_case.time().has_window()) {
+    dry_window_ = window_of(the_case, frequency_, false);
+    wet_window_ = window_of(the_case, frequency_, true);
+  }
   surface.frequency = frequency_;
   return {.columns = columns(),
           .particles = model_->particles(),
-          .window = window_,
+          .window = dry_window_,
           .substep = model_->substep()};
 }
 
@@ -127,7 +129,9 @@ Report SolidParticipant::advance(const Window& window, Surface& surface) {
   displacement_ = moved;
   load_ = new_load;
   clock_.leave();
-  return {.values = values(taken), .window = window_, .notes = model_->take_notes()};
+  return {.values = values(taken),
+          .window = new_load.isZero(0) ? dry_window_ : wet_window_,
+          .notes = model_->take_notes()};
 }
 
 std::vector<Column> SolidParticipant::columns() const {

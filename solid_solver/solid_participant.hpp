@@ -41,8 +41,9 @@ class SolidParticipant : public Participant {
 
   std::unique_ptr<SolidModel> model_;
   int dimension_ = 0;
-  double window_ = std::numeric_limits<double>::infinity();  // longest that it proposes [s]
-  double frequency_ = 0;                                     // of the slowest oscillation [rad/s]
+  double dry_window_ = std::numeric_limits<double>::infinity();  // longest window without load [s]
+  double wet_window_ = std::numeric_limits<double>::infinity();  // longest window under load [s]
+  double frequency_ = 0;                                         // of the slowest oscillation [rad/s]
   bool ramped_ = false;
   bool end_velocity_ = false;
   Interpolation H_;

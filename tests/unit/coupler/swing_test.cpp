@@ -16,6 +16,7 @@ using testing::PistonRun;
 std::string judgement(double ratio, v1::Coupling::Velocity velocity, double windows, std::uint64_t count) {
   const Piston piston{.mass = 500 / ratio, .substeps = 50};
   v1::Coupling coupling;
+  coupling.set_scheme(v1::Coupling::weak);
   coupling.set_velocity(velocity);
   PistonRun run(piston, coupling, 1 / (windows * piston.wet_frequency()));
   Swing swing(*run.coupler);
@@ -38,6 +39,7 @@ TEST(Swing, TellsALoadThatAlternatesAndGrowsNoMore) {
 TEST(Swing, DoesNotTakeNoiseThatGrowsForAnInstability) {
   const Piston piston{.mass = 2500, .substeps = 50};
   v1::Coupling coupling;
+  coupling.set_scheme(v1::Coupling::weak);
   coupling.set_velocity(v1::Coupling::end);
   PistonRun run(piston, coupling, 1e-3 / piston.wet_frequency());
   std::mt19937 random(3);

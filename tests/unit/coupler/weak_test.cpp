@@ -27,6 +27,7 @@ class WeakCoupling : public ::testing::TestWithParam<Limit> {
   PistonRun run(double ratio) const {
     const Limit& limit = GetParam();
     v1::Coupling coupling;
+    coupling.set_scheme(v1::Coupling::weak);
     coupling.set_load(limit.load);
     coupling.set_velocity(limit.velocity);
     coupling.set_prediction(limit.prediction);
@@ -72,6 +73,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(WeakRatio, IsFoundFromTheChangesOfAccelerationWhereTheLoadRules) {
   v1::Coupling coupling;
+  coupling.set_scheme(v1::Coupling::weak);
   coupling.set_velocity(v1::Coupling::end);
   for (const double ratio : {0.4, 0.9, 1.2}) {
     PistonRun piston(Piston{.mass = 500 / ratio, .stiffness = 0}, coupling);
@@ -82,6 +84,7 @@ TEST(WeakRatio, IsFoundFromTheChangesOfAccelerationWhereTheLoadRules) {
 
 TEST(WeakAccount, SaysThatTheSchemeCreatesEnergyWhereItIsUnstable) {
   v1::Coupling coupling;
+  coupling.set_scheme(v1::Coupling::weak);
   coupling.set_velocity(v1::Coupling::end);
   PistonRun piston(Piston{.mass = 500 / 1.1, .stiffness = 0}, coupling);
   piston.run(100);
