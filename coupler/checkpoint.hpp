@@ -1,4 +1,4 @@
-// What a run can be resumed from.
+// The state from which a run can be resumed.
 #pragma once
 
 #include <filesystem>
@@ -37,7 +37,7 @@ struct Checkpoint {
   /// @throws Error when there is none, none is whole, or it is of another version of Cosurge.
   static Checkpoint read(const std::filesystem::path& folder);
 
-  /// What is in one file, as it is. @throws Error where it is damaged or of another version.
+  /// The content of one file. @throws Error if it is damaged or of another version.
   static Checkpoint read_file(const std::filesystem::path& path);
 
   /// @throws Error unless `members` are the programs that the state is of.

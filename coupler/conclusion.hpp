@@ -1,4 +1,4 @@
-// The end of a run, however it went: what was recorded, the summary, and the last words.
+// The end of a run: recorded data, the summary and the last messages.
 #pragma once
 
 #include <filesystem>

@@ -14,7 +14,7 @@
 
 namespace cosurge {
 
-/// Where the wire to a solver lies, and what it allows.
+/// Address and settings of the connection to a solver.
 struct Wiring {
   std::filesystem::path folder;  ///< gets ROLE.connection and, unless `listen` says otherwise, the socket
   std::string listen;            ///< "tcp://address:port", or empty for a socket in the folder

@@ -74,7 +74,7 @@ class ResultFile {
   std::string path_;
   H5::H5File file_;
   std::optional<OrderedFile> order_;
-  std::string displaced_;  // what has become of the file; empty: it is where it was made
+  std::string displaced_;  // new state of the file; empty: unchanged
   std::map<std::string, H5::DataSet> growing_;
 };
 

@@ -1,4 +1,4 @@
-// What a resumption may change, and what has changed since the run began.
+// Allowed changes of a resumed run, and changes of its case file.
 #pragma once
 
 #include <string>

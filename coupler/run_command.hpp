@@ -22,7 +22,7 @@ struct RunOptions {
 /// @throws Error when the run cannot start: no results are written then, but the logs of the solvers stay.
 int run_command(const RunOptions& options);
 
-/// Goes on with the run in the folder options.out from its checkpoint, to the same bits as if it had never
+/// Resumes the run in the folder options.out from its checkpoint, bit-identical to a run that had never
 /// ended, or with some values changed (options.overrides). Returns and throws as run_command().
 int resume_command(const RunOptions& options);
 

@@ -67,7 +67,7 @@ class Bodies {
   /// The surface that `displacement` (dimension x points [m]) has deformed; all of it is open to the water.
   Faces<dim> deformed(const Field& displacement) const;
 
-  /// Leaves of the areas what is open to the water.
+  /// Reduces the areas to the part that is open to the water.
   void set_open(const std::vector<Openness<dim>>& open, Faces<dim>& faces) const;
 
   Interface interface() const;

@@ -1,4 +1,4 @@
-// What a solid model is to its participant: unknowns at nodes that follow loads.
+// Interface of a solid model: unknowns at nodes that move under loads.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -103,7 +103,7 @@ class SolidModel {
   virtual std::vector<Column> columns() const { return {}; }
   virtual std::vector<double> values() const { return {}; }
 
-  /// What the model has to say of the last window, in sentences; empty afterwards.
+  /// Messages of the model on the last window; empty afterwards.
   virtual std::vector<std::string> take_notes() { return {}; }
 
   /// The complete state: restore(save()) continues bit for bit.

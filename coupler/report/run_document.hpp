@@ -1,4 +1,4 @@
-// What the page of a report gets to know of a run.
+// The data of a run for the page of a report.
 #pragma once
 
 #include <filesystem>

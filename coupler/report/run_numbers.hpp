@@ -1,4 +1,4 @@
-// What a report says of a run in numbers and words.
+// The numbers of a run for a report.
 #pragma once
 
 #include <map>

@@ -16,7 +16,7 @@ struct PoissonParameters {
   double compressibility;  ///< alpha [1/Pa]
   Vec<dim> gravity;        ///< [m/s2]
   /// Whether the free surface is what OpenSurface makes of missing water; else P = 0 at particles flagged as
-  /// free surface, as the paper has it. Flagged are then only particles without pressure: lone drops, and
+  /// free surface, as in Amaro & Cheng. Flagged are then only particles without pressure: lone drops, and
   /// walls without water beside them.
   bool open_surface = false;
 };
@@ -67,7 +67,7 @@ class PoissonEquation {
   /// A vector for each unknown, coordinate by coordinate, and room for whole lanes.
   using Lines = std::array<std::vector<double>, dim>;
 
-  /// What the rows of one assembly share.
+  /// Data shared by the rows of one assembly.
   struct Assembly {
     const Particles<dim>& particles;
     const CellGrid<dim>& grid;
@@ -75,7 +75,7 @@ class PoissonEquation {
     int reach;  ///< cells to each side that a row looks at
   };
 
-  /// What an unknown has within the radius, beside water: a bit each.
+  /// Kinds of particles within the radius of an unknown, beside water: one bit each.
   enum Sight : std::uint8_t { walls = 1, bodies = 2, surface = 4 };
 
   /// A row while it is filled.

@@ -1,4 +1,4 @@
-// What bodies can touch, and where they are near it.
+// Objects that bodies can touch, and where they are near them.
 #pragma once
 
 #include <map>
@@ -34,7 +34,7 @@ class Neighborhood {
 
   bool held(Eigen::Index vertex) const { return held_[static_cast<std::size_t>(vertex)] != 0; }
 
-  /// What is farther from each other does not touch [m]: also the largest depth at which contact is found.
+  /// Objects farther from each other do not touch [m]: also the largest depth at which contact is found.
   double reach() const { return reach_; }
 
   /// All places with a gap below the reach, in an order that only the positions tell.
