@@ -24,7 +24,7 @@ struct Identity {
   std::vector<std::string> capabilities;  ///< calls beyond initialize and advance: "save", "frame"
 };
 
-/// The interface is made of the fluid's points on and in the bodies, in the reference configuration.
+/// The interface consists of the fluid's points on and in the bodies, in the reference configuration.
 struct Interface {
   int dimension = 0;
   Field position;  ///< [m]
@@ -45,7 +45,7 @@ struct Mode {
 /// Data exchanged at the interface points: the solid fills the motion, the fluid the load.
 struct Surface {
   Field displacement;  ///< [m] at the end of the solid's last window
-  Field velocity;      ///< [m/s] over the solid's last window: its mean, or that at the end, as the case says
+  Field velocity;      ///< [m/s] mean over the solid's last window, or at its end, as set in the case
   Field
       ramp_increment;  ///< [m] integral of velocity * (t - start) / size over the window; zero for held loads
   std::vector<Mode> modes;   ///< modes of a predicted motion; empty otherwise
@@ -100,7 +100,7 @@ using Snapshot = std::vector<Array>;
 
 /// A solver that can take part in a coupled run. Fluid, solids, the proxy over the wire and the mock of the
 /// tests implement it; the coupler knows nothing else. Legal order: initialize ( advance | save | restore |
-/// frame )* finalize. All calls throw Error or NumericalError where they cannot go on.
+/// frame )* finalize. All calls throw Error or NumericalError if they cannot continue.
 class Participant {
  public:
   virtual ~Participant() = default;

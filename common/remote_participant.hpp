@@ -31,7 +31,7 @@ class RemoteParticipant : public Participant {
     std::uint64_t bytes = 0;  ///< both ways
     double total = 0;         ///< [s] in calls, all in all
     double waiting = 0;       ///< [s] of it asleep
-    double computing = 0;     ///< [s] of it that the solver says it computed
+    double computing = 0;     ///< [s] of it, the solver's computing time
 
     double exchange() const { return total - computing; }  ///< [s] to encode, transport and decode
   };

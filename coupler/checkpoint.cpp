@@ -201,7 +201,7 @@ void Checkpoint::write(const std::filesystem::path& folder) const {
   StateWriter seal;
   seal.put(static_cast<std::uint64_t>(content.size() + state.size()));
   seal.put(checksum({content, state}));
-  // The one before stays under a second name; where the file system has no such names, there is none.
+  // The previous one stays under a second name (a hard link), if the file system supports it.
   const std::filesystem::path kept = folder / (std::string(name_before) + ".new");
   std::error_code none;
   std::filesystem::remove(kept, none);

@@ -32,7 +32,7 @@ struct Checkpoint {
   /// written.
   void write(const std::filesystem::path& folder) const;
 
-  /// The last one; where it is damaged, the one before takes its place, and a warning says so. Warns where it
+  /// The last one; if it is damaged, the previous one is used, with a warning. Warns where it
   /// is of another build of the same version.
   /// @throws Error when there is none, none is whole, or it is of another version of Cosurge.
   static Checkpoint read(const std::filesystem::path& folder);

@@ -33,7 +33,7 @@ class Coupler {
   /// Initializes the participants, the fluid first: its points are the interface.
   Coupler(const v1::Case& the_case, Participants participants);
 
-  /// All windows from the state it is in until the end, or until `stop` says true. Returns whether the end
+  /// All windows from the present state until the end, or until `stop` returns true. Returns whether the end
   /// was reached. A scheme may have windows gone through again, back to the last settled one or to the last
   /// frame; a run that is stopped goes back there.
   /// @throws exceptions of the participants; observers have seen all windows before.

@@ -52,7 +52,7 @@ class Recorder : public Observer {
 
   void flush();
 
-  /// Gives the HDF5 file another name, in place of one that may be there.
+  /// Renames the HDF5 file, and replaces an existing one.
   void move(const std::filesystem::path& results) { file_.move(results); }
 
   // Values for the summary.

@@ -9,7 +9,7 @@
 
 namespace cosurge {
 
-/// A run that goes on.
+/// A resumed run.
 struct Resumption {
   Checkpoint checkpoint;  ///< its case is the present one
   bool same_scheme;       ///< whether the coupling scheme is that of the saved state

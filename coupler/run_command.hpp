@@ -12,7 +12,7 @@ struct RunOptions {
   std::string out;          ///< folder of the results; empty: results/NAME, numbered where it is taken
   bool in_process = false;  ///< solvers as threads of this process
   std::vector<std::string> by_hand;  ///< "fluid", "solid=tcp://*:5555": solvers that somebody else starts
-  std::string solid;                 ///< command of a program in place of solid_solver; empty: none
+  std::string solid;                 ///< command of a program instead of solid_solver; empty: none
   int threads = 0;                   ///< threads of the fluid solver; 0: one per core
   double patience = 600;             ///< longest wait for a solver's answer [s]
 };

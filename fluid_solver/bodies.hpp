@@ -51,7 +51,7 @@ class Bodies {
   int points() const { return static_cast<int>(position_.size()); }
   const Vec<dim>& position(int k) const { return position_[static_cast<std::size_t>(k)]; }
   int body(int k) const { return body_[static_cast<std::size_t>(k)]; }
-  /// Whether the point has a face that neither its body, nor clamps, nor the tank cover where it is drawn.
+  /// Whether the point has a face that neither its body, nor clamps, nor the tank cover at the start.
   bool wet(int k) const { return !area_[static_cast<std::size_t>(k)].isZero(); }
 
   /// The point whose velocity the water sees in point k: the nearest wet one. So a body that is compressed
@@ -61,7 +61,7 @@ class Bodies {
     return nearest >= 0 ? nearest : k;
   }
 
-  /// Areas of its wet lattice faces where it is drawn.
+  /// Areas of its wet lattice faces at the start.
   const LatticeFaces<dim>& lattice_faces(int k) const { return faces_[static_cast<std::size_t>(k)]; }
 
   /// The surface that `displacement` (dimension x points [m]) has deformed; all of it is open to the water.

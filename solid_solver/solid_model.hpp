@@ -106,7 +106,7 @@ class SolidModel {
   /// Messages of the model on the last window; empty afterwards.
   virtual std::vector<std::string> take_notes() { return {}; }
 
-  /// The complete state: restore(save()) continues bit for bit.
+  /// The complete state: after restore(save()) results are bit-identical.
   virtual std::string save() const = 0;
   virtual void restore(const std::string& state) = 0;
 

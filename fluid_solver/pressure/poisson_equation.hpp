@@ -23,7 +23,7 @@ struct PoissonParameters {
 
 /// Eq. (11): (2 d / (lambda0 n0)) sum (P_j - P_i) w - alpha rho / tau^2 P_i = S_i for every particle with a
 /// pressure that is not flagged as free surface. Times -lambda0 n0 / (2 d) it is a symmetric M-matrix.
-/// Dummies and inner points of bodies stand for P_j = P_i + rho g . x_ij: the Neumann condition of a wall at
+/// Dummies and inner points of bodies represent P_j = P_i + rho g . x_ij: the Neumann condition of a wall at
 /// rest. So do pairs that see each other through a body.
 template <int dim>
 class PoissonEquation {

@@ -27,7 +27,7 @@ class Neighborhood {
   /// Vertices of all bodies, body after body, undeformed [m].
   const Field& vertices() const { return reference_; }
   const std::vector<int>& body() const { return body_; }     ///< body of each vertex
-  const std::vector<double>& area() const { return area_; }  ///< that each vertex stands for [m^(dim-1)]
+  const std::vector<double>& area() const { return area_; }  ///< area of each vertex [m^(dim-1)]
 
   /// Which vertices their bodies hold: they press on nothing. None, unless it is called.
   void hold(std::vector<char> held) { held_ = std::move(held); }

@@ -18,7 +18,7 @@ struct Touch {
   double gap;                    ///< relative to the initial gap if that is negative [m]
   Vec<dim> normal;               ///< unit normal
   Vec<dim> place;                ///< position of the vertex [m]
-  double area;                   ///< that the vertex stands for [m^(dim-1)]
+  double area;                   ///< area of the vertex [m^(dim-1)]
   double share;                  ///< share of the stiffness per area; both sides of a contact have a part
   double prescribed_rate;        ///< d gap / dt by prescribed motions [m/s]
   std::array<int, most> vertex;  ///< vertices of the bodies, -1: none
