@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""How right the water is, and what that costs: tables of docs/verification.md.
+"""Accuracy and cost of the water: tables of docs/verification.md.
 
 Usage: benchmarks/fluid_accuracy.py TABLE [--threads N] [--csv FILE]
 
@@ -30,7 +30,7 @@ from study import Run, Study, core_seconds  # noqa: E402
 
 RUNS = ROOT / "build/accuracy"
 GRAVITY, DENSITY = 9.81, 1000.0
-CUT_OFF = 70.0  # Hz, of the low-pass for impact pressures: the published study's
+CUT_OFF = 70.0  # [Hz] low-pass filter for impact pressures, as in Amaro & Cheng
 THEORY = 1.1818  # s, period of the standing wave: omega^2 = g k tanh(k h), k = pi / 1 m, h = 0.5 m
 SOURCES = [("deviation", "p_min"), ("mixed", "corrected"), ("time_scale", "corrected")]  # with the gradient that suits
 
@@ -90,7 +90,7 @@ def hydrostatic(threads):
 
 
 def impact(folder):
-    """What the dam break on the plate is judged by."""
+    """Measures of the dam break on the plate."""
     with h5py.File(folder / "results.h5") as file:
         case = json.loads(file.attrs["case"])
         plate = case["solid"]["body"][0]["box"]["min"][0]

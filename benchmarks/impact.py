@@ -14,7 +14,7 @@ import numpy as np
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 HEIGHTS = [0.005 + 0.01 * k for k in range(8)]  # m
-# From just before the front arrives to past the largest moment about the foot, in the windows of the case.
+# From just before the arrival of the front until after the largest moment about the foot, in the windows of the case.
 TIMES = 0.124 + 1e-4 * np.arange(801)  # s
 
 

@@ -23,7 +23,7 @@ RUNS = ROOT / "build/accuracy"
 CASES = ROOT / "cases/validation"
 G, RHO = 9.81, 1000.0
 
-ANGLES = [10, 15, 20, 25, 30, 40]  # of the wedges
+ANGLES = [10, 15, 20, 25, 30, 40]  # deadrise angles of the wedges [deg]
 
 
 def table(path):

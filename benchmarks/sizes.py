@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What a step of the water costs in time and memory by its number of particles, in two and three dimensions.
+"""Time and memory of a step of the water for different numbers of particles, in two and three dimensions.
 
 Usage: benchmarks/sizes.py [--steps N] [--threads 1 2 ...] [--csv FILE]
 

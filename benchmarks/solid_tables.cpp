@@ -15,7 +15,7 @@
 namespace cosurge {
 namespace {
 
-/// The six materials of the paper's plate.
+/// The six materials of the plate of Amaro & Cheng.
 const std::vector<Cantilever> plates = [] {
   std::vector<Cantilever> all = {{0.080, 0.012, 2500, 1e6, 0}};
   for (const double E : {2e7, 2e8, 2e9, 2e10, 2e11}) all.push_back({0.080, 0.012, 7800, E, 0.3});
@@ -47,7 +47,7 @@ void print_line(const std::string& line) {
   std::fflush(stdout);
 }
 
-/// First frequency of the paper's plate.
+/// First frequency of the plate of Amaro & Cheng.
 void frequencies() {
   print_line("model,young_modulus_Pa,poisson_ratio,particles_of_thickness,f1_Hz,timoshenko_Hz,off_percent");
   for (const Model& model : models) {
@@ -172,8 +172,8 @@ double deflection(const PlateCase& from) {
   return sum;
 }
 
-/// Deflection of the paper's plate of 1 MPa under a pressure on its face, towards Poisson's ratio 1/2, over
-/// that of eight elements through the thickness. On 6 and 12 particles, two and four elements.
+/// Deflection of the plate of Amaro & Cheng (1 MPa) under a pressure on its face, towards Poisson's ratio
+/// 1/2, over that of eight elements through the thickness. On 6 and 12 particles, two and four elements.
 void incompressible() {
   print_line("model,poisson_ratio,particles_of_thickness,deflection_over_fine_elements,over_beam");
   for (const double nu : {0.3, 0.4, 0.45, 0.49, 0.499}) {
@@ -193,8 +193,9 @@ void incompressible() {
   }
 }
 
-/// CPU of one second of the paper's plate in windows of 0.2 ms under a small varying load on its face;
-/// particles, sub-steps, and what a sub-step of one particle takes; deflection under a pressure on the face.
+/// CPU time of one second of the plate of Amaro & Cheng in windows of 0.2 ms under a small varying load on
+/// its face; particles, sub-steps, and what a sub-step of one particle takes; deflection under a pressure on
+/// the face.
 void cost() {
   print_line(
       "model,young_modulus_Pa,substeps_per_s,cpu_seconds_per_s,ns_per_particle_and_substep,deflection_over_"

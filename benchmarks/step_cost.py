@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What a window of the dam break on the elastic plate costs, and where the time goes, at four spacings.
+"""Cost of a window of the dam break on the elastic plate by phase, at four spacings.
 
 Usage: benchmarks/step_cost.py [--windows N] [--threads N] [--csv FILE]
 
@@ -15,7 +15,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 WINDOW = 5e-5  # s: allowed at all spacings
-# Spacing [m] and what else it takes: a column of 146 mm is no whole number of 4 mm.
+# Spacing [m] and further settings: a column of 146 mm is not a multiple of 4 mm.
 SPACINGS = [(0.004, ["fluid.water.0.max=[0.144, 0.292]"]), (0.002, []), (0.001, []), (0.0005, [])]
 
 

@@ -1,4 +1,4 @@
-// What moves with what: the prescribed motions of obstacles, and of what holds the bodies.
+// Prescribed motions of obstacles and of the holders of bodies.
 #pragma once
 
 #include "proto/case.pb.h"

@@ -9,7 +9,7 @@
 namespace cosurge {
 namespace {
 
-/// What numbers of the case are where they are meant in SI units.
+/// Usual ranges of values in SI units.
 struct Usual {
   double least, most;
 };
@@ -23,7 +23,7 @@ class Doubts {
  public:
   void number(const std::string& key, double value, const Usual& usual, const std::string& unit) {
     if (value >= usual.least && value <= usual.most) return;
-    all.push_back(fmt::format("{}: {:.4g} {} is outside what is usual, {:g} to {:g} {}; are its units right?",
+    all.push_back(fmt::format("{}: {:.4g} {} is outside the usual range {:g} to {:g} {}; check the units",
                               key, value, unit, usual.least, usual.most, unit));
   }
   std::vector<std::string> all;
@@ -35,10 +35,9 @@ void check_gravity(const v1::Case& c, Doubts& doubts) {
   if (square == 0) return;
   doubts.number("gravity", std::sqrt(square), gravity_of_planets, "m/s2");
   if (const double up = c.gravity(c.gravity_size() - 1); c.has_fluid() && up > 0)
-    doubts.all.push_back(
-        fmt::format("gravity: {:g} m/s2 along {} points out of the tank, which is open there; downwards "
-                    "is negative",
-                    up, c.dimension() == 2 ? "y" : "z"));
+    doubts.all.push_back(fmt::format(
+        "gravity: {:g} m/s2 along {} points out of the open top of the tank; downwards is negative", up,
+        c.dimension() == 2 ? "y" : "z"));
 }
 
 }  // namespace

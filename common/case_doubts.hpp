@@ -1,4 +1,4 @@
-// What is allowed in a case, but hardly meant.
+// Warnings about values that are allowed but doubtful.
 #pragma once
 
 #include <string>

@@ -163,10 +163,11 @@ class Walk {
       return std::nullopt;
     }
     if (!is_exact(node)) {
-      errors_.add(path,
-                  fmt::format("{} is a whole number that a double cannot hold; write {}.0 where the nearest "
-                              "one that it holds will do",
-                              node.as_integer()->get(), node.as_integer()->get()));
+      errors_.add(
+          path,
+          fmt::format(
+              "{} is a whole number that a double cannot store exactly; write {}.0 to use the nearest double",
+              node.as_integer()->get(), node.as_integer()->get()));
       return std::nullopt;
     }
     const double value =
@@ -190,7 +191,7 @@ class Walk {
   CaseErrors& errors_;
 };
 
-/// Writes every default into the message, so that what was computed can be read off the results.
+/// Writes every default into the message, so that the results contain the whole case.
 void resolve(Message& message) {
   const Descriptor& type = *message.GetDescriptor();
   const auto& reflection = *message.GetReflection();
@@ -225,11 +226,10 @@ toml::table parse(const std::filesystem::path& file) {
   constexpr std::uintmax_t most_bytes = 1 << 20;
   std::error_code unknown;
   const std::uintmax_t size = std::filesystem::file_size(file, unknown);
-  require(
-      unknown || size <= most_bytes,
-      "{}: has {:.3g} MB, a case has 1 MB at most: put outlines and tables into files of their own, beside "
-      "the case",
-      file.string(), 1e-6 * static_cast<double>(size));
+  require(unknown || size <= most_bytes,
+          "{}: the file has {:.3g} MB; the limit for a case is 1 MB: put outlines and tables into separate "
+          "files beside the case",
+          file.string(), 1e-6 * static_cast<double>(size));
   const std::string bytes = without_byte_order_mark(file_contents(file), file);
   const std::string text = fmt::format("{}", fmt::join(lines_of(bytes), "\n")) + "\n";
   require_short_keys(text, file.string());

@@ -11,7 +11,7 @@ namespace cosurge {
 /// Reads a case: `path` is a folder with a case.toml, or the file. `overrides` are "key.path=value" with a
 /// TOML value (a bare word is a string), applied before the checks; list entries are addressed by number
 /// ("output.probe.0.name").
-/// @throws Error with all errors at once, one line each: "file:line: key: what is wrong, what is allowed".
+/// @throws Error with all errors at once, one line each: "file:line: key: error, allowed values".
 v1::Case load_case(const std::string& path, const std::vector<std::string>& overrides = {});
 
 /// A case that was read before, with some of its values changed; files that it names are not read again.

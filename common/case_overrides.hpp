@@ -9,7 +9,7 @@
 
 namespace cosurge {
 
-/// What is set in a message, as a case file has it.
+/// The values that are set in a message, as in a case file.
 toml::table tree_of(const google::protobuf::Message& message);
 
 /// Applies "key.path=value": `value` is TOML, or a bare word, which is a string; list entries are addressed

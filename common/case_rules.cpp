@@ -138,10 +138,11 @@ void check_spacing(const std::string& key, double spacing, const std::vector<Nam
   if (wrong.empty()) return;
   const auto below = nearest_spacing(spacing, lengths, 1);
   const auto above = nearest_spacing(spacing, lengths, -1);
-  errors.add(key, fmt::format("{} does not divide {}; nearest that divide every box: {} below, {} above; or "
-                              "round {}, or give the shape as an outline, which need not fit",
-                              spacing, fmt::join(wrong, ", "), below ? fmt::format("{:.6g}", *below) : "none",
-                              above ? fmt::format("{:.6g}", *above) : "none", fmt::join(rounded, ", ")));
+  errors.add(key,
+             fmt::format("{} does not divide {}; the nearest values that divide every box are {} below and "
+                         "{} above; or round {}, or give the shape as an outline, which need not fit",
+                         spacing, fmt::join(wrong, ", "), below ? fmt::format("{:.6g}", *below) : "none",
+                         above ? fmt::format("{:.6g}", *above) : "none", fmt::join(rounded, ", ")));
 }
 
 bool check_boxes_ordered(const std::vector<NamedBox>& boxes, CaseErrors& errors) {
@@ -196,14 +197,14 @@ bool check_shapes(const v1::Case& c, CaseErrors& errors) {
   return ok;
 }
 
-/// What is wrong with a box that is not within the tank: where it is, and whether its file may be in mm.
+/// Message for a box outside the tank: its position, and whether its file may be in mm.
 std::string outside_the_tank(const NamedBox& named, const v1::Box& tank) {
   bool larger = false;
   for (int k = 0; k < tank.min_size(); ++k)
     larger = larger || named.box.max(k) - named.box.min(k) > tank.max(k) - tank.min(k);
   return fmt::format("must lie inside fluid.tank; it reaches from ({:.6g}) to ({:.6g}) m{}",
                      fmt::join(named.box.min(), ", "), fmt::join(named.box.max(), ", "),
-                     larger && named.unscaled_outline ? "; where its file is in mm, give scale = 0.001" : "");
+                     larger && named.unscaled_outline ? "; if its file is in mm, set scale = 0.001" : "");
 }
 
 /// Boxes on the lattice; water and bodies in the tank and apart from each other.
@@ -273,7 +274,7 @@ void check_solid(const v1::Case& c, CaseErrors& errors) {
   const double spacing = solid.has_spacing() ? solid.spacing() : c.fluid().spacing();
   const double fluid_spacing = c.has_fluid() ? c.fluid().spacing() : spacing;
   if (solid.material() == v1::Solid::neo_hookean && solid.model() != v1::SolidModel::fem && deformable)
-    errors.add("solid.material", fmt::format("neo_hookean is of the model fem, not of {}",
+    errors.add("solid.material", fmt::format("neo_hookean is available for the model fem only, not for {}",
                                              v1::SolidModel::Word_Name(solid.model())));
   // Layers, so that water on one side does not see water on the other.
   const double fewest = std::max(3.0, c.has_fluid() ? std::ceil(c.fluid().re_laplacian()) - 1 : 0.0);
@@ -287,7 +288,7 @@ void check_solid(const v1::Case& c, CaseErrors& errors) {
         errors.add(
             around.key,
             fmt::format("is {:.3g} spacings thick, must be at least {}: a spacing of {:.4g} m at most, or a "
-                        "thicker body (a plate of thickness h bends alike with the same E h^3 and rho h)",
+                        "thicker body (plates with equal E h^3 and rho h bend alike, h the thickness)",
                         side / fluid_spacing, fewest, side / fewest));
     }
     for (int j = 0; j < body.clamp_size(); ++j) {
@@ -329,14 +330,15 @@ void check_times(const v1::Case& c, CaseErrors& errors) {
 void check_rules(const v1::Case& c, CaseErrors& errors) {
   if (!c.has_fluid() && !c.has_solid()) errors.add("", "a case needs a [fluid], a [solid], or both");
   if (c.has_coupling() && !(c.has_fluid() && c.has_solid()))
-    errors.add("coupling", "only where there are a [fluid] and a [solid]");
+    errors.add("coupling", "allowed only if the case has a [fluid] and a [solid]");
   if (!check_shapes(c, errors)) return;
   const auto scheme = c.coupling().scheme();
   const bool inertial = scheme == v1::Coupling::weak_inertial || scheme == v1::Coupling::strong_inertial;
   if (inertial && c.fluid().source() == v1::Fluid::deviation)
     errors.add("coupling.scheme",
-               fmt::format("{} needs water that answers velocities: fluid.source must be mixed or time_scale",
-                           v1::Coupling::Scheme_Name(scheme)));
+               fmt::format(
+                   "{} needs a source with the velocity divergence: fluid.source must be mixed or time_scale",
+                   v1::Coupling::Scheme_Name(scheme)));
   check_scene(c, errors);
   if (c.has_fluid()) check_fluid(c, errors);
   if (c.has_fluid()) check_thickness(c.fluid(), errors);

@@ -16,7 +16,7 @@ struct CaseErrors {
   std::vector<std::string> lines;
   std::size_t more = 0;  ///< errors beyond the lines
 
-  static constexpr std::size_t most = 100;  ///< lines: nobody reads further
+  static constexpr std::size_t most = 100;  ///< largest number of reported errors
 
   /// Adds "file:line: key: what", with the place of the key or of the nearest table around it; only counts
   /// where there are `most` already.

@@ -73,8 +73,8 @@ void read_outline(v1::Shape& shape, const std::filesystem::path& folder, int dim
   if (shape.outline().empty()) return;
   const auto file = folder / shape.outline();
   require(dimension == 3 || !has_extension(file, ".stl"),
-          "{}: a scene of two dimensions takes a polygon, x, y a line", file.string());
-  require(dimension == 2 || !has_extension(file, ".csv"), "{}: a scene of three dimensions takes an STL",
+          "{}: a scene of two dimensions needs a polygon, with one corner x, y per line", file.string());
+  require(dimension == 2 || !has_extension(file, ".csv"), "{}: a scene of three dimensions needs an STL file",
           file.string());
   const int angles = dimension == 2 ? 1 : 3;
   require(shape.rotate_size() == 0 || shape.rotate_size() == angles, "rotate has {} angles, must have {}",
@@ -110,7 +110,7 @@ void read_motion(v1::WallMotion& motion, const std::filesystem::path& folder, in
   const auto file = folder / motion.table();
   const std::vector<TableColumn> columns = motion_columns(motion, dimension);
   const Table table = read_table(file, columns);
-  require(table.lines.size() >= 2, "{}: has {} rows of {}; needs two at least", file.string(),
+  require(table.lines.size() >= 2, "{}: has {} rows of {}; needs at least two", file.string(),
           table.lines.size(), describe(columns));
   const double angle = motion.angle_unit() == v1::AngleUnit::deg ? degree : 1;
   const auto last = static_cast<std::size_t>(dimension);  // column of the angle, without the time

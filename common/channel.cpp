@@ -57,7 +57,7 @@ void Channel::send(const google::protobuf::MessageLite& message) {
   require(size <= options_.message_limit, "a message of {} bytes to {} exceeds the limit of {}", size, peer(),
           options_.message_limit);
   zmq::message_t bytes(size);
-  // Serialised in debug builds too where a required field is missing: the receiver says it in words.
+  // Serialised in debug builds too if a required field is missing: the receiver reports it.
   message.SerializePartialToArray(bytes.data(), static_cast<int>(size));
   put(std::move(bytes));
 }
@@ -75,7 +75,8 @@ void Channel::put(zmq::message_t&& bytes) {
   if (lost_ || !line_->put(std::move(bytes))) {
     zmq::message_t unread;
     const auto cause = lost_ ? std::nullopt : cause_of_end(unread);
-    throw PeerLost(fmt::format("{}: {}", peer(), cause.value_or("nobody there to take a message")));
+    throw PeerLost(
+        fmt::format("{}: {}", peer(), cause.value_or("no peer is connected to receive a message")));
   }
   ++traffic_.messages;
   traffic_.bytes_sent += size;
@@ -90,7 +91,8 @@ void Channel::receive(google::protobuf::Message& message, const std::string& awa
   require(bytes.size() <= limit, "a message of {} bytes exceeds the limit of {}", bytes.size(), limit);
   require_few_parts({bytes.data<char>(), bytes.size()}, *message.GetDescriptor());
   require(message.ParseFromArray(bytes.data(), static_cast<int>(bytes.size())),
-          "a message of {} bytes cannot be decoded: garbled, cut short or of another program", bytes.size());
+          "a message of {} bytes cannot be decoded: it is damaged, truncated or from another program",
+          bytes.size());
 }
 
 zmq::message_t Channel::wait_for_message(const std::string& awaited) {
@@ -106,8 +108,8 @@ zmq::message_t Channel::wait_for_message(const std::string& awaited) {
     traffic_.waiting += slept;
     if (arrived) return bytes;
     if (cancelled_ && cancelled_())
-      throw Interrupted(fmt::format("{} was not waited for any longer ({} was awaited for {:.1f} s)", peer(),
-                                    awaited, waited));
+      throw Interrupted(
+          fmt::format("stopped waiting for {} ({} was awaited for {:.1f} s)", peer(), awaited, waited));
     const auto cause = cause_of_end(bytes);
     if (bytes.size() > 0) return bytes;
     lost_ = cause.has_value();
@@ -116,8 +118,8 @@ zmq::message_t Channel::wait_for_message(const std::string& awaited) {
   }
   const std::string& trouble = line_->trouble();
   throw PeerLost(
-      fmt::format("{}: nothing heard within {:.4g} s, the patience of this program; {} was awaited{}{}",
-                  peer(), options_.patience, awaited, trouble.empty() ? "" : "; ", trouble));
+      fmt::format("{}: no message within {:.4g} s, the limit set by --patience; {} was awaited{}{}", peer(),
+                  options_.patience, awaited, trouble.empty() ? "" : "; ", trouble));
 }
 
 std::optional<std::string> Channel::cause_of_end(zmq::message_t& last_message) {

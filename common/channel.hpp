@@ -40,11 +40,11 @@ class Channel {
   struct Options {
     std::string peer = "the other side";  ///< for error messages
     double patience = 600;                ///< longest wait for one message [s]
-    /// [bytes]; what is larger would not pass between two signs of life (line.hpp)
+    /// [bytes]; a larger message would not pass between two heartbeats (line.hpp)
     std::size_t message_limit = std::size_t{1} << 28;
   };
 
-  /// What has passed so far.
+  /// Messages and bytes so far.
   struct Traffic {
     std::uint64_t messages = 0;
     std::uint64_t bytes_sent = 0;
@@ -81,7 +81,7 @@ class Channel {
   void set_peer_ended(PeerEnded peer_ended) { peer_ended_ = std::move(peer_ended); }
   void set_cancelled(Cancelled cancelled) { cancelled_ = std::move(cancelled); }
 
-  /// Over TCP, cuts off who sends much without having shown its key; receive() does so itself.
+  /// Over TCP, closes connections that send much without having shown their key; receive() does so itself.
   void turn_away_strangers();
 
   /// Sends without waiting. @throws PeerLost; Error where the message exceeds the limit.
@@ -90,7 +90,7 @@ class Channel {
   /// As send(), but closing the channel then waits up to two seconds for the message to be delivered.
   void send_last(const google::protobuf::MessageLite& message);
 
-  /// Bytes as they are: for tests of what the other side makes of them.
+  /// Sends raw bytes, for tests of the receiver.
   void send_bytes(std::string_view bytes);
 
   /// Sleeps until the next message arrives. `awaited` names it in errors. `limit`: largest size [bytes], if

@@ -88,17 +88,16 @@ std::string crossing_sides(const std::vector<Side>& sides) {
   const Search result = search(sides);
   if (result.given_up)
     return fmt::format(
-        "the polygon has {} sides, most of which lie side by side: too many to see whether they cross; leave "
-        "out corners that are nearer to each other than the spacing",
+        "the polygon has {} sides, most of them very close to each other: too many to check for crossings; "
+        "leave out corners that are nearer to each other than the spacing",
         sides.size());
   if (!result.found) return "";
   const auto [i, j] = *result.found;
   if (cross(sides[i], sides[j]))
     return fmt::format("the polygon crosses itself: the sides from corners {} and {} (counted from 0)", j, i);
   return fmt::format(
-      "the polygon goes around twice: the sides from corners {} and {} (counted from 0) "
-      "lie on each other",
-      j, i);
+      "the polygon overlaps itself: the sides from corners {} and {} (counted from 0) lie on each other", j,
+      i);
 }
 
 }  // namespace cosurge

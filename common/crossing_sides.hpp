@@ -8,9 +8,9 @@
 
 namespace cosurge {
 
-/// What is wrong with the sides of a polygon, in words: two that cross, or lie on each other; empty where
-/// nothing is. Where it would take more than a second to say, since most of very many sides lie side by side,
-/// it says that.
+/// Describes errors of the sides of a polygon: two that cross, or lie on each other; empty if there
+/// are none. If the check would take more than a second, because most of very many sides are close to each
+/// other, the message says so.
 std::string crossing_sides(const std::vector<Facet<2>>& sides);
 
 }  // namespace cosurge

@@ -1,5 +1,5 @@
 // Three kinds of wrong: the user can fix it (Error), the numbers failed (NumericalError), we are wrong
-// (assert). And one end that is no fault: Interrupted.
+// (assert). Interrupted is not an error.
 #pragma once
 
 #include <fmt/format.h>
@@ -9,13 +9,13 @@
 
 namespace cosurge {
 
-/// Something that the user can mend; the message says what is wrong and what is allowed.
+/// An error that the user can correct; the message says what is wrong and what is allowed.
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The computation cannot go on; the message says where, when, why, and what to try.
+/// The computation cannot continue; the message gives place, time, reason and remedy.
 class NumericalError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -14,7 +14,7 @@ template <int dim>
 using Facet = std::array<Vec<dim>, dim>;
 
 /// Finds the facet that is nearest to a point, and the facets that a ray meets, in a time that grows with the
-/// logarithm of their number. The answers are those of a search through all facets, bit for bit.
+/// logarithm of their number. The results are bit-identical to those of a search through all facets.
 template <int dim>
 class FacetTree {
  public:

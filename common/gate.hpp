@@ -1,4 +1,4 @@
-// Who may still knock at a TCP port on which one solver is awaited.
+// Limits the connections to a TCP port on which one solver is awaited.
 #pragma once
 
 #include <chrono>

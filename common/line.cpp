@@ -13,10 +13,10 @@ namespace cosurge {
 namespace {
 
 constexpr int heartbeat_interval = 250;     // [ms]
-constexpr int handshake_time = 3000;        // [ms] for whoever has connected over TCP to show its key
-constexpr double look_at_strangers = 0.01;  // [s] between looks at what they send
+constexpr int handshake_time = 3000;        // [ms] time limit for a TCP connection to show its key
+constexpr double look_at_strangers = 0.01;  // [s] interval between checks of their data
 constexpr int waiting_messages = 4;         // longest queue for a peer that sends unrequested messages
-constexpr int connect_time = 2000;          // [ms] until a coupler at whose gate others stand is tried again
+constexpr int connect_time = 2000;  // [ms] until a connection to a coupler with a full queue is retried
 constexpr int watched_events = ZMQ_EVENT_LISTENING | ZMQ_EVENT_ACCEPTED | ZMQ_EVENT_HANDSHAKE_SUCCEEDED |
                                ZMQ_EVENT_HANDSHAKE_FAILED_NO_DETAIL | ZMQ_EVENT_HANDSHAKE_FAILED_PROTOCOL |
                                ZMQ_EVENT_HANDSHAKE_FAILED_AUTH | ZMQ_EVENT_DISCONNECTED;
@@ -53,7 +53,7 @@ struct CurveKeys {
 CurveKeys new_keys() {
   CurveKeys keys;
   require(zmq_has("curve") == 1 && zmq_curve_keypair(keys.open.data(), keys.secret.data()) == 0,
-          "this ZeroMQ has no CURVE encryption, without which tcp:// is refused");
+          "this ZeroMQ was built without CURVE encryption, which tcp:// needs");
   return keys;
 }
 
@@ -81,7 +81,7 @@ std::unique_ptr<Line> Line::listen(const std::string& endpoint, std::size_t mess
     line->socket_.set(zmq::sockopt::curve_secretkey, keys.secret.data());
     line->socket_.set(zmq::sockopt::handshake_ivl, handshake_time);
   }
-  // Over TCP anybody may send; otherwise what is a little too large still gets its answer in words.
+  // Over TCP anybody may send; otherwise a message that is slightly too large still gets an error message.
   const std::size_t most = is_tcp(endpoint) ? message_limit : 4 * message_limit;
   line->socket_.set(zmq::sockopt::maxmsgsize, static_cast<std::int64_t>(most));
   line->socket_.set(zmq::sockopt::rcvhwm, waiting_messages);
@@ -103,8 +103,7 @@ std::unique_ptr<Line> Line::connect(const Connection& connection) {
   if (is_tcp(connection.endpoint)) {
     require(connection.server_key.size() == 40,
             "endpoint {}: tcp:// needs the coupler's public key of 40 characters; start the coupler with a "
-            "tcp:// "
-            "address and take its connection file",
+            "tcp:// address and use its connection file",
             connection.endpoint);
     const CurveKeys keys = new_keys();
     line->socket_.set(zmq::sockopt::curve_serverkey, connection.server_key);
@@ -157,7 +156,7 @@ bool Line::take(zmq::message_t& message) {
     read_news();
     peer_descriptor_ = zmq_msg_get(message.handle(), ZMQ_SRCFD);
     gate_.trust(peer_descriptor_);
-    if (!gate_.knows(peer_descriptor_)) loss_ = "the connection was lost: it has ended or died";
+    if (!gate_.knows(peer_descriptor_)) loss_ = "the connection was lost: the peer has ended";
     gate_.shut();
   }
   return true;
@@ -215,13 +214,13 @@ void Line::note(int event, int value) {
   } else if (event == ZMQ_EVENT_HANDSHAKE_SUCCEEDED) {
     connected_ = !accepts_;
   } else if (event != ZMQ_EVENT_DISCONNECTED) {
-    trouble_ = "a connection failed in its handshake: one side has no key, or that of another run";
+    trouble_ = "a handshake failed: one side has no key, or the key of another run";
     if (!accepts_) loss_ = trouble_;
   } else {
     gate_.left(value);
     if (accepts_ ? value == peer_descriptor_ : connected_)
-      loss_ =
-          fmt::format("the connection was lost: it has died, or has given no sign of life for {} s", silence);
+      loss_ = fmt::format("the connection was lost: the peer has ended, or has sent no heartbeat for {} s",
+                          silence);
   }
 }
 

@@ -1,4 +1,4 @@
-// The ZeroMQ socket under a channel, and what its monitor tells of the other side.
+// The ZeroMQ socket under a channel, and its monitor of the other side.
 #pragma once
 
 #include <atomic>
@@ -42,14 +42,14 @@ class Line {
   /// Sleeps until a message or news of the peer arrives, or the time is over.
   void sleep(double seconds);
 
-  /// Over TCP, cuts off who sends much without having shown its key. To be called often while a solver is
-  /// awaited; sleep() does so for this line.
+  /// Over TCP, closes connections that send much without having shown their key. To be called often while a
+  /// solver is awaited; sleep() does so for this line.
   void turn_away_strangers();
 
   /// How the connection was lost, once it was.
   std::optional<std::string> loss();
 
-  /// What has kept peers from connecting so far; mostly empty.
+  /// Reason why peers could not connect so far; usually empty.
   const std::string& trouble() const { return trouble_; }
 
   /// How long closing may wait for sent messages to be delivered.

@@ -52,8 +52,8 @@ class Walk {
   }
 
   void count() {
-    require(++parts_ <= most_parts,
-            "a message has more than {} parts: texts, tables, fields that are not known", most_parts);
+    require(++parts_ <= most_parts, "a message has more than {} parts (texts, tables, unknown fields)",
+            most_parts);
   }
 
   CodedInputStream& in_;
@@ -65,7 +65,8 @@ class Walk {
 void require_few_parts(std::string_view bytes, const Descriptor& type) {
   CodedInputStream in(reinterpret_cast<const std::uint8_t*>(bytes.data()), static_cast<int>(bytes.size()));
   require(Walk(in).message(type, 0),
-          "a message of {} bytes cannot be decoded: garbled, cut short or of another program", bytes.size());
+          "a message of {} bytes cannot be decoded: it is damaged, truncated or from another program",
+          bytes.size());
 }
 
 }  // namespace cosurge

@@ -97,8 +97,8 @@ std::string too_fast(const v1::Case& c, const Mover<dim>& mover, const std::vect
       }
   if (fall == 0 || fastest <= most_falls * fall) return "";
   return fmt::format(
-      "{}: moves at {:.3g} m/s at t = {:.4g} s, {:.0f} times as fast as a fall through the tank "
-      "({:.3g} m/s): lengths are in m, times in s, angles of a formula in rad",
+      "{}: moves at {:.3g} m/s at t = {:.4g} s, {:.0f} times the speed of a fall through the tank ({:.3g} "
+      "m/s): lengths are in m, times in s, angles of a formula in rad",
       mover.key, fastest, when, fastest / fall, fall);
 }
 
@@ -120,8 +120,8 @@ std::string into_the_tank(const v1::Case& c, const Mover<dim>& mover, const std:
         const double now = depth(X, t, wall), drawn = std::max(0.0, depth(X, 0, wall));
         if (now - drawn > deep * c.fluid().spacing())
           return fmt::format(
-              "{}: takes the obstacle into the {} of the tank at t = {:.4g} s; a run ends where "
-              "particles of both come into one place",
+              "{}: moves the obstacle into the {} of the tank at t = {:.4g} s; the run fails if particles of "
+              "both meet in one place",
               mover.key, wall == dim - 1 ? "floor" : "side", t);
       }
   return "";

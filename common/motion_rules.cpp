@@ -10,7 +10,7 @@ void check_motion(const std::string& key, const v1::WallMotion& motion, CaseErro
   const bool formula = motion.amplitude_size() > 0 || motion.angle() != 0;
   if (formula && motion.has_table()) errors.add(key, "must have either amplitude and angle, or a table");
   if (formula && motion.frequency() <= 0)
-    errors.add(key + ".frequency", "must be > 0 [Hz] where there is an amplitude");
+    errors.add(key + ".frequency", "must be > 0 [Hz] if there is an amplitude");
 }
 
 void check_body(const v1::Case& c, int i, CaseErrors& errors) {
@@ -20,7 +20,7 @@ void check_body(const v1::Case& c, int i, CaseErrors& errors) {
     check_motion(key + ".motion", body.motion(), errors);
     if (!is_held(c.solid(), body))
       errors.add(key + ".motion",
-                 "is that of what holds the body, and nothing holds it: give it a clamp or a support");
+                 "is the motion of what holds the body, but nothing holds it: add a clamp or a support");
   }
   try {
     static_cast<void>(motion_of(c, body));

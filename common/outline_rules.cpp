@@ -31,8 +31,7 @@ std::string open_edge(const std::vector<Shape<3>::Facet>& triangles) {
   for (const auto& [edge, balance] : edges)
     if (balance != 0)
       return fmt::format(
-          "the triangles leave a hole, or are ordered differently around, at the edge from ({}) "
-          "to ({})",
+          "the triangles leave a hole, or have opposite orientations, at the edge from ({}) to ({})",
           fmt::join(edge.first, ", "), fmt::join(edge.second, ", "));
   return "";
 }
@@ -79,12 +78,12 @@ void check_sites(const v1::Solid& solid, double spacing, CaseErrors& errors) {
     const auto& own = sites[static_cast<std::size_t>(i)];
     const auto add = [&](const std::string& what) { errors.add(body_key(solid, i), what); };
     if (const auto twice = in_two_parts(solid.body(i), own))
-      add(fmt::format("has parts that overlap, near ({}): join them, the body's mass would count them twice",
+      add(fmt::format("has parts that overlap near ({}): join them; otherwise their mass would count twice",
                       fmt::join(*twice, ", ")));
     if (own.all().empty())
       add(fmt::format("encloses no particles with a spacing of {} m", spacing));
     else if (const int parts = own.parts(); parts > 1)
-      add(fmt::format("falls into {} parts with a spacing of {} m", parts, spacing));
+      add(fmt::format("consists of {} separate parts with a spacing of {} m", parts, spacing));
     for (int j = 0; j < solid.body_size(); ++j) {
       if (j == i || (j > i && has_outline(solid.body(j)))) continue;  // seen from the other side
       const auto& other = sites[static_cast<std::size_t>(j)];

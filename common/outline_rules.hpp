@@ -8,7 +8,7 @@ namespace cosurge {
 /// Where a body's shape stands: "solid.body.0.box", "solid.body.0.shape".
 std::string body_key(const v1::Solid& solid, int body);
 
-/// Whether an outline has so few corners that it encloses nothing: what to say of it, else nothing.
+/// Message for an outline with too few corners to enclose anything; empty if it has enough.
 std::string too_few_corners(const v1::Shape& outline, int dimension);
 
 /// Whether a polygon crosses itself or goes around twice, or triangles leave a hole, are not all ordered the

@@ -15,7 +15,7 @@ using Field = Eigen::MatrixXd;
 
 enum class Role { fluid, solid };
 
-/// Who a participant is and what it can do, as told in the handshake.
+/// Identity and capabilities of a participant, from the handshake.
 struct Identity {
   Role role;
   std::string program;
@@ -24,7 +24,7 @@ struct Identity {
   std::vector<std::string> capabilities;  ///< calls beyond initialize and advance: "save", "frame"
 };
 
-/// The interface is made of the fluid's points on and in the bodies, in the reference configuration.
+/// The interface consists of the fluid's points on and in the bodies, in the reference configuration.
 struct Interface {
   int dimension = 0;
   Field position;  ///< [m]
@@ -42,10 +42,10 @@ struct Mode {
   double load = 0;      ///< load on the mode that the motion was computed with [N]
 };
 
-/// What the solvers tell each other at the interface points: the solid fills the motion, the fluid the load.
+/// Data exchanged at the interface points: the solid fills the motion, the fluid the load.
 struct Surface {
   Field displacement;  ///< [m] at the end of the solid's last window
-  Field velocity;      ///< [m/s] over the solid's last window: its mean, or that at the end, as the case says
+  Field velocity;      ///< [m/s] mean over the solid's last window, or at its end, as set in the case
   Field
       ramp_increment;  ///< [m] integral of velocity * (t - start) / size over the window; zero for held loads
   std::vector<Mode> modes;   ///< modes of a predicted motion; empty otherwise
@@ -73,7 +73,7 @@ struct Column {
   std::string unit;
 };
 
-/// What a participant says of itself once it knows the case.
+/// Data of a participant after it has read the case.
 struct Setup {
   std::vector<Column> columns;
   std::uint64_t particles = 0;
@@ -81,11 +81,11 @@ struct Setup {
   double substep = 0;  ///< the solver's own step [s]; 0 where it takes the window
 };
 
-/// What a participant says of one window.
+/// Data of a participant for one window.
 struct Report {
   std::vector<double> values;           ///< one a column
   double window = 0;                    ///< largest next window [s]
-  std::vector<std::string> notes = {};  ///< sentences for whoever watches the run
+  std::vector<std::string> notes = {};  ///< messages for the user
 };
 
 /// A named array of a frame: components values for each particle, one particle after the other.
@@ -101,7 +101,7 @@ using Snapshot = std::vector<Array>;
 
 /// A solver that can take part in a coupled run. Fluid, solids, the proxy over the wire and the mock of the
 /// tests implement it; the coupler knows nothing else. Legal order: initialize ( advance | save | restore |
-/// frame )* finalize. All calls throw Error or NumericalError where they cannot go on.
+/// frame )* finalize. All calls throw Error or NumericalError if they cannot continue.
 class Participant {
  public:
   virtual ~Participant() = default;

@@ -8,7 +8,7 @@
 
 namespace cosurge {
 
-/// The solver whose columns a probe's belong to: "fluid", or "solid" for displacements.
+/// The solver that writes the columns of a probe: "fluid", or "solid" for displacements.
 std::string probe_group(const v1::Probe& probe);
 
 /// Names of its columns: a vector has one for each direction ("tip_x"). A moment

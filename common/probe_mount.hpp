@@ -1,4 +1,4 @@
-// What a probe of the water is fixed to, and moves with.
+// What a probe of the water is fixed to.
 #pragma once
 
 #include "proto/case.pb.h"

@@ -56,15 +56,12 @@ void check_columns(const v1::Case& c, CaseErrors& errors) {
     };
     for (const std::string& column : probe_columns(probe, c.dimension())) {
       if (is_own_column(probe_group(probe), column))
-        add(fmt::format(
-            "\"{}\" makes the column {}, which the results of the {} solver have without it: choose "
-            "another name",
-            probe.name(), column, probe_group(probe)));
+        add(fmt::format("\"{}\" needs the column {}, which the {} solver already writes: choose another name",
+                        probe.name(), column, probe_group(probe)));
       const auto [first, is_new] = taken.emplace(column, i);
       if (!is_new && first->second != i && c.output().probe(first->second).name() != probe.name())
         add(fmt::format(
-            "\"{}\" makes the column {}, which output.probe.{} (\"{}\") makes, too: choose another "
-            "name",
+            "\"{}\" needs the column {}, which output.probe.{} (\"{}\") needs too: choose another name",
             probe.name(), column, first->second, c.output().probe(first->second).name()));
     }
   }
@@ -81,7 +78,7 @@ void check_probes(const v1::Case& c, CaseErrors& errors) {
         !probe.name().empty() && std::all_of(probe.name().begin(), probe.name().end(), [](char a) {
           return std::isalnum(static_cast<unsigned char>(a)) != 0 || a == '_';
         });
-    if (!plain) errors.add(key + ".name", "must be made of letters, digits and _");
+    if (!plain) errors.add(key + ".name", "must consist of letters, digits and _");
     if (!names.insert(probe.name()).second)
       errors.add(key + ".name", fmt::format("\"{}\" is taken", probe.name()));
     if (probe.quantity() != v1::Probe::displacement && !c.has_fluid())

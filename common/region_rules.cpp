@@ -66,9 +66,9 @@ double sites_in(const Box<dim>& box, double spacing) {
   return ((box.max - box.min) / spacing + Vec<dim>::Constant(2)).prod();
 }
 
-/// What may be the matter with an outline whose numbers are large.
+/// Possible cause of an outline with large coordinates.
 const char* unit_remedy(const v1::Shape& shape) {
-  return shape.vertex_size() > 0 && !shape.has_scale() ? "; where its file is in mm, give scale = 0.001" : "";
+  return shape.vertex_size() > 0 && !shape.has_scale() ? "; if its file is in mm, set scale = 0.001" : "";
 }
 
 template <int dim>
@@ -167,10 +167,9 @@ void check_water(const v1::Case& c, CaseErrors& errors) {
                                               [&](const Shape<dim>& shape) { return shape.contains(x); });
     };
     if (!has_site<dim>(Shape<dim>(region.shape), spacing, free))
-      errors.add(region.key,
-                 fmt::format("holds no particle of water with a spacing of {} m: it is too thin, or "
-                             "obstacles and bodies take all of it",
-                             spacing));
+      errors.add(region.key, fmt::format("contains no water particle with a spacing of {} m: it is too thin, "
+                                         "or obstacles and bodies fill all of it",
+                                         spacing));
   }
 }
 
@@ -183,13 +182,13 @@ void check_obstacle_sites(const v1::Fluid& fluid, CaseErrors& errors) {
       return region.moves || !outside(Box<dim>(x, x), tank, false);
     };
     if (!has_site<dim>(Shape<dim>(region.shape), fluid.spacing(), counts))
-      errors.add(region.key, fmt::format("holds no particle with a spacing of {} m: it is too thin; make it "
-                                         "thicker or the spacing smaller",
+      errors.add(region.key, fmt::format("contains no particle with a spacing of {} m: it is too thin; make "
+                                         "it thicker or the spacing smaller",
                                          fluid.spacing()));
   }
 }
 
-/// What holds a body must not be a place that water flows through.
+/// Water must not flow through the region of a clamp.
 template <int dim>
 void check_clamps(const v1::Case& c, CaseErrors& errors) {
   const Box<dim> tank(c.fluid().tank());

@@ -36,12 +36,13 @@ std::string mismatch(const v1::Hello& hello, const Identity& identity,
     return fmt::format("it is a {} solver, a {} solver is expected", role_name(identity.role),
                        role_name(expected.role));
   }
-  if (hello.token() != expected.token) return "it shows the token of another run";
+  if (hello.token() != expected.token) return "it has the token of another run";
   if (!contains(identity.dimensions, expected.dimension)) {
-    return fmt::format("it does not compute in {} dimensions", expected.dimension);
+    return fmt::format("it does not support {} dimensions", expected.dimension);
   }
   for (const std::string& capability : expected.capabilities) {
-    if (!contains(identity.capabilities, capability)) return fmt::format("it cannot do \"{}\"", capability);
+    if (!contains(identity.capabilities, capability))
+      return fmt::format("it does not support \"{}\"", capability);
   }
   return {};
 }
@@ -50,7 +51,7 @@ std::string mismatch(const v1::Hello& hello, const Identity& identity,
 
 template <typename Call>
 auto RemoteParticipant::call(std::string place, Call&& content) {
-  require(!over_, "{}: {} after its end", channel_.peer(), place);
+  require(!over_, "{}: {} was requested after its end", channel_.peer(), place);
   place_ = std::move(place);
   try {
     const auto start = std::chrono::steady_clock::now();
@@ -96,7 +97,7 @@ RemoteParticipant::RemoteParticipant(Channel channel, const Expectation& expecte
   });
 }
 
-RemoteParticipant::~RemoteParticipant() { abort("it has ended before this solver was finalized"); }
+RemoteParticipant::~RemoteParticipant() { abort("it ended before this solver was finalized"); }
 
 void RemoteParticipant::greet(const Expectation& expected) {
   channel_.receive(reply_, "its hello", most_without_numbers);
@@ -105,8 +106,8 @@ void RemoteParticipant::greet(const Expectation& expected) {
   const v1::Hello& hello = reply_.hello();
   channel_.set_peer(fmt::format("{} {}", hello.program(), hello.version()));
   // A program of another protocol can be trusted with nothing further.
-  require(hello.protocol() == protocol_version, "it speaks protocol {}, the coupler speaks {}",
-          hello.protocol(), protocol_version);
+  require(hello.protocol() == protocol_version, "it uses protocol {}, the coupler uses {}", hello.protocol(),
+          protocol_version);
   identity_ = decode(hello);
   const std::string reason = mismatch(hello, identity_, expected);
   require(reason.empty(), "{}", reason);

@@ -15,7 +15,7 @@ namespace cosurge {
 /// the window, and the solver is told.
 class RemoteParticipant : public Participant {
  public:
-  /// What the coupler expects of the solver.
+  /// Requirements of the coupler on the solver.
   struct Expectation {
     Role role = Role::fluid;
     std::string token;
@@ -23,7 +23,7 @@ class RemoteParticipant : public Participant {
     std::vector<std::string> capabilities;  ///< must all be there
   };
 
-  /// What the participation has cost so far. What is neither `computing` nor the coupler's own work is the
+  /// Cost of the participation so far. Time that is neither `computing` nor the coupler's own work is the
   /// exchange.
   struct Cost {
     std::uint64_t calls = 0;
@@ -31,7 +31,7 @@ class RemoteParticipant : public Participant {
     std::uint64_t bytes = 0;  ///< both ways
     double total = 0;         ///< [s] in calls, all in all
     double waiting = 0;       ///< [s] of it asleep
-    double computing = 0;     ///< [s] of it that the solver says it computed
+    double computing = 0;     ///< [s] of it, the solver's computing time
 
     double exchange() const { return total - computing; }  ///< [s] to encode, transport and decode
   };

@@ -128,10 +128,10 @@ void Service::dispatch(const Request& request, v1::Reply& reply) {
 }
 
 void Service::welcome(const v1::Welcome& request) const {
-  require(request.protocol() == protocol_version,
-          "the coupler {} {} speaks protocol {}, this {} {} speaks {}", request.program(), request.version(),
-          request.protocol(), identity_.program, identity_.version, protocol_version);
-  require(request.token() == token_, "the coupler {} {} shows the token of another run", request.program(),
+  require(request.protocol() == protocol_version, "the coupler {} {} uses protocol {}, this {} {} uses {}",
+          request.program(), request.version(), request.protocol(), identity_.program, identity_.version,
+          protocol_version);
+  require(request.token() == token_, "the coupler {} {} has the token of another run", request.program(),
           request.version());
 }
 
@@ -140,7 +140,7 @@ void Service::initialize(const v1::Initialize& request, v1::Reply& reply) {
   const int dimension = scene.dimension();
   const auto& dimensions = identity_.dimensions;
   require(std::find(dimensions.begin(), dimensions.end(), dimension) != dimensions.end(),
-          "{} does not compute in {} dimensions", identity_.program, dimension);
+          "{} does not support {} dimensions", identity_.program, dimension);
   interface_ = {
       .dimension = dimension, .position = Field(dimension, 0), .area = Field(dimension, 0), .body = {}};
   if (request.has_interface()) interface_ = decode(request.interface(), dimension, scene.solid().body_size());
@@ -163,8 +163,7 @@ void Service::check_attempt(const Window& window) {
   require(window.attempt <= 1 ||
               (remembered_.attempt == window.attempt - 1 && remembered_.index == window.index &&
                remembered_.start == window.start && remembered_.size == window.size),
-          "attempt {} at a window that is not the one of attempt {} just before", window.attempt,
-          window.attempt - 1);
+          "attempt {} is at another window than attempt {} before it", window.attempt, window.attempt - 1);
   remembered_ = window;
 }
 

@@ -50,7 +50,7 @@ class Service {
   Window remembered_;  // that may be gone through again; attempt 0: none
 };
 
-/// Serves one run: says Hello and answers until the run is finalized. What goes wrong is told to the coupler,
+/// Serves one run: sends Hello and answers until the run is finalized. Errors are reported to the coupler,
 /// where there still is one, and thrown.
 void serve(Participant& participant, Channel& channel, const std::string& token);
 

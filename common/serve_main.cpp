@@ -25,7 +25,7 @@ struct Options {
 
 /// The system sends SIGTERM when the coupler that started this program dies.
 void end_in_words(int) {
-  constexpr const char* words = "ended by SIGTERM: the coupler is gone, or has stopped this solver\n";
+  constexpr const char* words = "stopped by SIGTERM: the coupler has ended, or has stopped this solver\n";
   const auto written = ::write(STDERR_FILENO, words, std::strlen(words));
   _exit(written < 0 ? exit_error + 1 : exit_error);
 }
@@ -52,18 +52,16 @@ int serve_main(int argc, char** argv, const std::function<std::unique_ptr<Partic
     const std::unique_ptr<Participant> participant = make();
     const Identity identity = participant->identity();
     name = identity.program;
-    CLI::App app(
-        fmt::format("The {} solver of a Cosurge run. The coupler starts it by itself; by hand it is started "
-                    "with the command that the coupler shows, also on another machine.",
-                    role_name(identity.role)),
-        name);
+    CLI::App app(fmt::format("The {} solver of a Cosurge run. The coupler starts it. To start it by hand, "
+                             "also on another machine, use the command that the coupler prints.",
+                             role_name(identity.role)),
+                 name);
     Options options;
     app.set_version_flag("--version", name + " " + identity.version);
-    app.add_option("--connect", options.connection, "Connection file that the coupler has written")
-        ->required();
+    app.add_option("--connect", options.connection, "Connection file written by the coupler")->required();
     app.add_option("--endpoint", options.endpoint,
-                   "Address of the coupler, where it differs from the one in the file (tcp://host:port)");
-    app.add_option("--threads", options.threads, "Threads to compute with; 0 leaves it to OpenMP")
+                   "Address of the coupler, if it differs from the one in the file (tcp://host:port)");
+    app.add_option("--threads", options.threads, "Number of threads; 0 leaves it to OpenMP")
         ->check(CLI::Range(0, 1024))
         ->capture_default_str();
     app.add_option("--patience", options.patience, "Longest wait for the coupler's next request [s]")

@@ -14,7 +14,7 @@ Vec<3> normal_of(const Shape<3>::Facet& triangle) {
 }
 namespace {
 
-constexpr double on_the_face = 1e-9;  // m: what lies on a face lies in the body whatever the rounding
+constexpr double on_the_face = 1e-9;  // [m] tolerance: points on a face count as inside
 
 template <int dim>
 Box<dim> bounds_of(const v1::Shape& shape) {

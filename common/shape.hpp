@@ -6,7 +6,7 @@
 
 namespace cosurge {
 
-/// A box, or what a closed outline encloses: a polygon in two dimensions, triangles in three.
+/// A box, or the inside of a closed outline: a polygon in two dimensions, triangles in three.
 template <int dim>
 class Shape {
  public:

@@ -90,8 +90,8 @@ std::string too_deep(const v1::Case& c, const v1::Probe& probe) {
   constexpr double rounding = 1e-6;
   if (nearest.distance <= (1 + rounding) * c.fluid().spacing()) return "";
   return fmt::format(
-      "lies {:.3g} m within {}: pressure is that on its surface, which is nearest at {}; move the probe "
-      "there",
+      "lies {:.3g} m inside {}: pressure is measured on its surface, whose nearest point is {}; move the "
+      "probe there",
       nearest.distance, on_body ? "a body" : fmt::format("fluid.obstacle.{}", mount.number),
       text(nearest.point));
 }

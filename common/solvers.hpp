@@ -1,4 +1,4 @@
-// The solvers as participants, for whoever links them: each is defined in its own folder.
+// The solvers as participants; each is defined in its own folder.
 #pragma once
 
 #include <memory>

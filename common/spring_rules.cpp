@@ -21,7 +21,7 @@ void check_springs(const v1::Case& c, CaseErrors& errors) {
   const v1::SolidSprung& sprung = c.solid().sprung();
   if (sprung.spring().empty())
     errors.add("solid.sprung.spring",
-               "missing: nothing may move; name a motion, or choose solid.model = \"rigid\"");
+               "missing: no motion is free; name a motion, or choose solid.model = \"rigid\"");
   if (sprung.pivot_size() > 0 && sprung.pivot_size() != c.dimension())
     errors.add("solid.sprung.pivot",
                fmt::format("has {} components, must have {}", sprung.pivot_size(), c.dimension()));
@@ -33,11 +33,11 @@ void check_springs(const v1::Case& c, CaseErrors& errors) {
     const v1::Spring::Motion motion = sprung.spring(i).motion();
     const std::string key = fmt::format("solid.sprung.spring.{}.motion", i);
     if (std::find(allowed.begin(), allowed.end(), motion) == allowed.end())
-      errors.add(key, fmt::format("no \"{}\" in {} dimensions, where the words are {}",
-                                  v1::Spring::Motion_Name(motion), c.dimension(), fmt::join(words, ", ")));
+      errors.add(key, fmt::format("no \"{}\" in {} dimensions; allowed: {}", v1::Spring::Motion_Name(motion),
+                                  c.dimension(), fmt::join(words, ", ")));
     if ((seen >> motion & 1) != 0)
-      errors.add(
-          key, fmt::format("a second spring for \"{}\"; there may be one", v1::Spring::Motion_Name(motion)));
+      errors.add(key, fmt::format("a second spring for \"{}\"; only one is allowed",
+                                  v1::Spring::Motion_Name(motion)));
     else if (motion >= v1::Spring::turn_x)
       ++turns;
     seen |= 1 << motion;
@@ -45,7 +45,7 @@ void check_springs(const v1::Case& c, CaseErrors& errors) {
   if (turns == 2)
     errors.add("solid.sprung.spring",
                "turns about two axes; give one of turn_x, turn_y and turn_z, or all three (a stiff spring "
-               "holds one)");
+               "blocks one)");
 }
 
 }  // namespace cosurge

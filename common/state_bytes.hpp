@@ -13,7 +13,7 @@
 
 namespace cosurge {
 
-/// What can be copied byte by byte: numbers, enums, and Eigen's fixed-size vectors.
+/// Types that can be copied byte by byte: numbers, enums, and Eigen's fixed-size vectors.
 template <typename T>
 concept Plain = std::is_trivially_copyable_v<T> || requires {
   requires T::SizeAtCompileTime >
@@ -82,11 +82,12 @@ class StateReader {
   void expect(std::int64_t rows, std::int64_t columns, std::size_t size_of_entry) const {
     const auto most = static_cast<std::int64_t>(rest_.size() / size_of_entry);
     require(rows >= 0 && columns >= 0 && (rows == 0 || columns <= most / rows),
-            "saved state: too short; it is of another case or build");
+            "saved state: too short; it belongs to another case or build");
   }
 
   void finish() const {
-    require(rest_.empty(), "saved state: {} bytes too many; it is of another case or build", rest_.size());
+    require(rest_.empty(), "saved state: {} bytes too many; it belongs to another case or build",
+            rest_.size());
   }
 
  private:
@@ -94,12 +95,12 @@ class StateReader {
     std::uint64_t entries = 0;
     get(entries);
     require(entries <= rest_.size() / size_of_entry,
-            "saved state: too short; it is of another case or build");
+            "saved state: too short; it belongs to another case or build");
     return entries;
   }
 
   void copy(void* to, std::size_t bytes) {
-    require(bytes <= rest_.size(), "saved state: too short; it is of another case or build");
+    require(bytes <= rest_.size(), "saved state: too short; it belongs to another case or build");
     if (bytes > 0) std::memcpy(to, rest_.data(), bytes);
     rest_.remove_prefix(bytes);
   }
@@ -107,7 +108,7 @@ class StateReader {
   std::string_view rest_;
 };
 
-/// A matrix with its size, for those whose size the reader does not know.
+/// A matrix with its size, for readers that do not know the size.
 template <typename Matrix>
 void put_sized(StateWriter& state, const Matrix& values) {
   state.put(static_cast<std::int64_t>(values.rows()));

@@ -36,8 +36,9 @@ std::vector<double> read_binary(const std::string& bytes, const std::string& fil
   const std::size_t whole = (bytes.size() - before_triangles) / bytes_a_triangle;
   const std::size_t behind = bytes.size() - before_triangles - std::min(count, whole) * bytes_a_triangle;
   require(behind < bytes_a_triangle || behind % bytes_a_triangle != 0,
-          "{}: its header counts {} triangles, and there are {}", file, count, whole);
-  require(count <= whole, "{}: is cut off, or no STL: it has {} of {} triangles", file, whole, count);
+          "{}: its header states {} triangles, but it has {}", file, count, whole);
+  require(count <= whole, "{}: is truncated, or not an STL file: it has {} of {} triangles", file, whole,
+          count);
   std::vector<double> corners;
   for (std::size_t k = 0; k < count; ++k) {
     std::array<float, 12> values{};  // normal, and three corners
@@ -134,7 +135,7 @@ class Text {
   std::vector<double> corners_;
 };
 
-/// Whether it begins with "solid" and holds nothing but text, but for what follows "endsolid".
+/// Whether the file begins with "solid" and is text, except after "endsolid".
 bool is_text(const std::string& bytes) {
   const auto begin = bytes.find_first_not_of(" \t\r\n\v\f");
   if (begin == std::string::npos) return false;

@@ -32,18 +32,18 @@ struct Cell {
   bool quoted = false;
 };
 
-/// A line that is not empty, and what parts its cells: ';', '\t', ',' or ' '.
+/// A line that is not empty, and its separator: ';', '\t', ',' or ' '.
 struct Line {
   int number;
   char separator;
   std::vector<Cell> cells;
 };
 
-/// What parts the cells of a line: the first of semicolon, tab and comma that it has outside of quotes, else
+/// The separator of a line: the first of semicolon, tab and comma that it has outside of quotes, else
 /// blanks. Tabs beside a comma are blanks.
 char separator_of(const std::string& text) {
   bool quoted = false, semicolon = false, tab = false, comma = false;
-  char before = 0;  // the last character that is no blank
+  char before = 0;  // the last non-blank character
   for (std::size_t k = 0; k < text.size(); ++k) {
     const char c = text[k];
     if (c == '"') quoted = !quoted;
@@ -122,7 +122,7 @@ std::string with_point(std::string text) {
 
 bool looks_like_a_number(const Cell& cell) { return number(with_point(cell.text)).has_value(); }
 
-/// Digits with a zero in front: what follows a decimal comma, not a number.
+/// Digits with a leading zero: decimals after a decimal comma, not a number.
 bool has_needless_zero(const std::string& text) {
   const std::string digits = text.starts_with("-") || text.starts_with("+") ? text.substr(1) : text;
   return digits.size() > 1 && digits.front() == '0' &&
@@ -244,7 +244,7 @@ class Reader {
       }
     }
     if (doubtful != nullptr && !shown)
-      refuse(*doubtful, "\"{}\" may be {} or {}; write numbers with a decimal point", doubt,
+      refuse(*doubtful, "\"{}\" can mean {} or {}; write numbers with a decimal point", doubt,
              with_point(doubt), without_comma(doubt));
   }
 
@@ -261,9 +261,9 @@ class Reader {
     std::vector<double> row;
     for (const Cell& cell : line.cells) row.push_back(value(line, cell));
     if (row.size() != columns_.size())
-      refuse(line, "{}; here are {}{}", expected(), row.size(),
+      refuse(line, "{}; this line has {}{}", expected(), row.size(),
              line.separator == ',' && row.size() == 2 * columns_.size()
-                 ? " (part numbers with decimal commas by semicolons)"
+                 ? " (separate numbers with decimal commas by semicolons)"
                  : "");
     for (const std::size_t k : order_) table.values.push_back(row[k]);
     table.lines.push_back(line.number);
@@ -271,16 +271,16 @@ class Reader {
 
   double value(const Line& line, const Cell& cell) const {
     const bool comma = cell.text.find(',') != std::string::npos;
-    const char* remedy = "write numbers with a decimal point, or part them by semicolons";
+    const char* remedy = "write numbers with a decimal point, or separate them by semicolons";
     if (comma && !may_have_comma(line, cell))
-      refuse(line, "{}; \"{}\" has a comma, and {} part the numbers: {}", expected(), clipped(cell.text),
+      refuse(line, "{}; \"{}\" has a comma, but {} separate the numbers: {}", expected(), clipped(cell.text),
              line.separator == '\t' ? "tabs" : "blanks", remedy);
     if (line.separator == ',' && has_needless_zero(cell.text))
       refuse(line, "{}; \"{}\" looks like the end of a number with a decimal comma: {}", expected(),
              clipped(cell.text), remedy);
     const auto read = number(comma ? with_point(cell.text) : cell.text);
     if (!read && cell.text.empty()) refuse(line, "{}; one is missing", expected());
-    if (!read) refuse(line, "{}; \"{}\" is none", expected(), clipped(cell.text));
+    if (!read) refuse(line, "{}; \"{}\" is not a number", expected(), clipped(cell.text));
     if (!std::isfinite(*read)) refuse(line, "{}; {} is not finite", expected(), clipped(cell.text));
     return *read;
   }

@@ -13,7 +13,7 @@ std::string file_contents(const std::filesystem::path& file) {
   std::error_code missing, other;
   require(std::filesystem::exists(file, missing), "{}: no such file{}", file.string(),
           missing ? ": " + missing.message() : "");
-  require(std::filesystem::is_regular_file(file, other), "{}: is no file that can be read", file.string());
+  require(std::filesystem::is_regular_file(file, other), "{}: is not a readable file", file.string());
   errno = 0;
   std::ifstream in(file, std::ios::binary);
   const int cause = errno;

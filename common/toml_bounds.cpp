@@ -60,7 +60,8 @@ void require_short_keys(std::string_view text, const std::string& source) {
 
 void require_ascii(std::string_view text, const std::string& source) {
   walk(text, [&](char c, std::size_t line) {
-    require(is_ascii(c), "{}:{}: a letter or blank beyond ASCII, which may only be in quotes and comments",
+    require(is_ascii(c),
+            "{}:{}: a letter or blank that is not ASCII, which is allowed in quotes and comments only",
             source, line);
   });
 }

@@ -14,7 +14,7 @@ namespace {
 using Point = std::array<double, 3>;
 using Cell = std::array<long, 3>;
 
-/// The points seen so far, by cells as large as what is the same point.
+/// The points so far, in cells of the size within which points are merged.
 class Points {
  public:
   explicit Points(double tolerance) : tolerance_(tolerance) {}

@@ -5,7 +5,7 @@
 
 namespace cosurge {
 
-/// As they may be shown on a terminal: no more than `most` bytes, and '?' in place of control characters
+/// Text for a terminal: no more than `most` bytes, and '?' instead of control characters
 /// (C0, DEL, and C1 as UTF-8 has it) other than the end of a line.
 std::string printable(const std::string& words, std::size_t most = std::string::npos);
 

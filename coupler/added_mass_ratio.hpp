@@ -12,7 +12,7 @@ namespace cosurge {
 class AddedMassRatio {
  public:
   /// Two passes through the same window: `velocity` that the water saw, `answer` of the structure.
-  /// mu = - d answer . d velocity / |d velocity|^2. The state of rest says nothing.
+  /// mu = - d answer . d velocity / |d velocity|^2. Ignored at rest.
   void iterated(const Field& velocity_change, const Field& answer_change);
 
   /// The next window, where every window is gone through once: the same from the changes of the acceleration

@@ -60,10 +60,10 @@ struct Trial {
   Report report;
 };
 
-/// Whether two answers are equal to the bit, and what differs.
+/// Throws if two answers are not bit-identical, with the difference.
 void expect_same(const Surface& a, const Surface& b, const std::string& what) {
-  require(a.displacement == b.displacement && a.velocity == b.velocity, "{}: another motion", what);
-  require(a.force == b.force && a.pressure == b.pressure, "{}: another load", what);
+  require(a.displacement == b.displacement && a.velocity == b.velocity, "{}: the motion differs", what);
+  require(a.force == b.force && a.pressure == b.pressure, "{}: the load differs", what);
 }
 
 // Runs that are right
@@ -71,7 +71,7 @@ void expect_same(const Surface& a, const Surface& b, const std::string& what) {
 void comes_and_goes(const CertifyOptions& options) {
   Trial trial(options);
   trial.participant.finalize();
-  require(trial.solver.stop("", to_end), "does not end without an error within {} s after Finalize",
+  require(trial.solver.stop("", to_end), "does not exit with code 0 within {} s after Finalize",
           to_end.count());
 }
 
@@ -79,7 +79,7 @@ void starts_at_rest(const CertifyOptions& options) {
   const Trial trial(options);
   require(trial.rest.displacement.allFinite() && trial.rest.velocity.isZero(),
           "moves before the first window");
-  require(trial.setup.window > 0, "allows no window");
+  require(trial.setup.window > 0, "its first window is not > 0");
 }
 
 void reports_what_it_announced(const CertifyOptions& options) {
@@ -95,10 +95,10 @@ void reports_what_it_announced(const CertifyOptions& options) {
 void shows_frames_of_one_kind(const CertifyOptions& options) {
   Trial trial(options);
   const Snapshot first = trial.participant.frame();
-  require(!first.empty(), "shows nothing");
+  require(!first.empty(), "sends an empty frame");
   trial.advance(0, small_load);
   const Snapshot second = trial.participant.frame();
-  require(first.size() == second.size(), "shows {} arrays, then {}", first.size(), second.size());
+  require(first.size() == second.size(), "sends {} arrays, then {}", first.size(), second.size());
   for (std::size_t k = 0; k < first.size(); ++k)
     require(first[k].name == second[k].name && first[k].values.size() == second[k].values.size(),
             "array {} changes its name or length", first[k].name);
@@ -141,8 +141,8 @@ void stays_at_rest_without_load(const CertifyOptions& options) {
           "moves without load or gravity");
 }
 
-/// Maxwell and Betti: what moves i for a load on j moves j for the same load on i. So loads go to the
-/// structure by the transpose of how its motion comes to the points.
+/// Maxwell and Betti: a load on j moves i as much as the same load on i moves j. This
+/// holds if loads are mapped with the transpose of the motion's mapping.
 void answers_by_the_transpose(const CertifyOptions& options) {
   const auto response = [&](Eigen::Index loaded) {
     Trial trial(options);
@@ -159,9 +159,8 @@ void answers_by_the_transpose(const CertifyOptions& options) {
   const double scale = std::max(std::abs(by_i(0, i)), std::abs(by_j(0, j)));
   if (scale == 0) return;  // rigid
   require(std::abs(by_i(0, j) - by_j(0, i)) <= linear * scale,
-          "a unit load at point {} moves point {} by {:.6g}, "
-          "the other way round {:.6g} m/N",
-          i, j, by_i(0, j) / small_load, by_j(0, i) / small_load);
+          "a unit load at point {} moves point {} by {:.6g} m/N, the reverse by {:.6g} m/N", i, j,
+          by_i(0, j) / small_load, by_j(0, i) / small_load);
 }
 
 /// The mean velocity is the displacement over the window, and the work that the solid reports is what the
@@ -182,7 +181,8 @@ void moves_and_works_consistently(const CertifyOptions& options) {
   for (std::size_t k = 0; k < trial.setup.columns.size(); ++k)
     if (trial.setup.columns[k].name == "interface_work")
       require(std::abs(trial.report.values[k] - work) <= rounding * gross,
-              "reports a work of {:.12g} J, the points have {:.12g} J", trial.report.values[k], work);
+              "reports a work of {:.12g} J; loads and motions at the points give {:.12g} J",
+              trial.report.values[k], work);
 }
 
 // Runs that are wrong
@@ -253,23 +253,24 @@ struct Check {
 };
 
 constexpr Check checks[] = {
-    {"comes, is finalized, and ends without an error", comes_and_goes},
-    {"starts at rest and says its largest window", starts_at_rest},
+    {"connects, is finalized, and exits with code 0", comes_and_goes},
+    {"starts at rest and states its largest window", starts_at_rest},
     {"reports as many finite values as it announced", reports_what_it_announced},
-    {"shows frames whose arrays keep name and length", shows_frames_of_one_kind},
-    {"goes back to the start of a window and through it again, to the same bits",
-     goes_back_and_through_again},
-    {"continues from a saved state to the same bits, also in a fresh process", continues_from_a_saved_state},
+    {"sends frames whose arrays keep their names and lengths", shows_frames_of_one_kind},
+    {"repeats a window from its start with bit-identical results", goes_back_and_through_again},
+    {"continues from a saved state with bit-identical results, also in a new process",
+     continues_from_a_saved_state},
     {"stays at rest without load", stays_at_rest_without_load, true},
-    {"takes loads by the transpose of its motion (Maxwell and Betti)", answers_by_the_transpose, true},
-    {"has the mean velocity, and the work that the points have", moves_and_works_consistently, true},
-    {"ends when it is refused", accepts_a_refusal},
-    {"ends when the run is aborted", obeys_an_abort},
-    {"refuses a window before the initialization, in words", refuses_a_window_before_the_start},
-    {"refuses a request whose number is not the next, in words", refuses_a_number_that_was_left_out},
-    {"refuses a number that is none, in words", refuses_what_is_no_number},
-    {"refuses a field of the wrong length, in words", refuses_a_wrong_length},
-    {"ends when it gets what is no message", survives_no_garbage},
+    {"has a symmetric response to point loads (Maxwell and Betti)", answers_by_the_transpose, true},
+    {"reports the mean velocity, and the work of the loads at the points", moves_and_works_consistently,
+     true},
+    {"exits when it is refused", accepts_a_refusal},
+    {"exits when the run is aborted", obeys_an_abort},
+    {"rejects a window before the initialization, with a message", refuses_a_window_before_the_start},
+    {"rejects a request with a wrong sequence number, with a message", refuses_a_number_that_was_left_out},
+    {"rejects NaN, with a message", refuses_what_is_no_number},
+    {"rejects a field of the wrong length, with a message", refuses_a_wrong_length},
+    {"exits when it receives malformed bytes", survives_no_garbage},
 };
 
 }  // namespace

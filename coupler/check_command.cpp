@@ -72,7 +72,7 @@ void check_command(const std::string& case_path, const std::vector<std::string>&
   say("  {:<12} about {:.0f} of at most {:g} s, to t = {:g} s\n", "windows", windows,
       longest_window(the_case), the_case.time().end());
   say("  {:<12} {:.0f} MB\n", "memory", static_cast<double>(usage.ru_maxrss) / 1024);
-  say("  {:<12} {:.3g} ms a window now, about {:.0f} s in all\n", "time",
+  say("  {:<12} {:.3g} ms per window now, about {:.0f} s in total\n", "time",
       1e3 * stopwatch.seconds_per_window(), windows * stopwatch.seconds_per_window());
 }
 

@@ -1,4 +1,4 @@
-// cosurge check: what a case would run.
+// cosurge check: validates a case and estimates its size.
 #pragma once
 
 #include <string>

@@ -32,14 +32,15 @@ std::uint32_t checksum(std::initializer_list<std::string_view> parts) {
   return static_cast<std::uint32_t>(sum);
 }
 
-/// What the checkpoint in a file says, once its length and checksum are right. @throws Error
+/// The content of a checkpoint file, after the check of its length and checksum. @throws Error
 std::string content_of(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   require(file.is_open(), "{}: cannot be read", path.string());
   std::ostringstream text;
   text << file.rdbuf();
   const std::string all = text.str();
-  require(all.starts_with(mark), "{}: is no checkpoint of cosurge {}, or is damaged", path.string(), version);
+  require(all.starts_with(mark), "{}: is not a checkpoint of cosurge {}, or is damaged", path.string(),
+          version);
   std::uint64_t length = 0;
   std::uint32_t sum = 0;
   constexpr std::size_t seal = sizeof length + sizeof sum;
@@ -61,9 +62,10 @@ Checkpoint decode(const std::string& content, const std::filesystem::path& path)
   StateReader bytes(content);
   std::string found;
   bytes.get(found);
-  require(found == signature(),
-          "{}: it is of another version, \"{}\", and this is \"{}\": resume with the version that wrote it",
-          path.string(), found, signature());
+  require(
+      found == signature(),
+      "{}: it was written by another version, \"{}\"; this is \"{}\": resume with the version that wrote it",
+      path.string(), found, signature());
   Checkpoint checkpoint;
   std::string serialized;
   std::uint64_t count = 0;
@@ -107,7 +109,7 @@ std::vector<double> column(const H5::H5File& file, const std::string& name, std:
 void require_frames(const std::vector<hsize_t>& size, const std::string& place) {
   constexpr hsize_t most = hsize_t{1} << 26;
   const bool array = size.size() == 2 || (size.size() == 3 && size[2] > 0);
-  require(array, "{} has {} dimensions, or nothing in the last: it is no array of Cosurge", place,
+  require(array, "{} has {} dimensions, or nothing in the last: it is not an array of Cosurge", place,
           size.size());
   const hsize_t components = size.size() == 3 ? size[2] : 1;
   require(components <= most && size[1] <= most / components,
@@ -150,8 +152,8 @@ void require_same_end(const std::vector<std::vector<double>>& columns, const Che
   if (checkpoint.windows == 0) return;
   const double time = columns[0].back(), window = columns[1].back();
   require(std::abs(time - checkpoint.time) < 0.5 * window,
-          "row {} is at t = {:.9g} s, the checkpoint says {:.9g} s: results and checkpoint are of different "
-          "runs; put those of one run together, or run the case again with another --out",
+          "row {} is at t = {:.9g} s, the checkpoint says {:.9g} s: results and checkpoint belong to "
+          "different runs; put the files of one run together, or run the case again with another --out",
           checkpoint.windows, time, checkpoint.time);
 }
 
@@ -199,7 +201,7 @@ void Checkpoint::write(const std::filesystem::path& folder) const {
   StateWriter seal;
   seal.put(static_cast<std::uint64_t>(content.size() + state.size()));
   seal.put(checksum({content, state}));
-  // The one before stays under a second name; where the file system has no such names, there is none.
+  // The previous one stays under a second name (a hard link), if the file system supports it.
   const std::filesystem::path kept = folder / (std::string(name_before) + ".new");
   std::error_code none;
   std::filesystem::remove(kept, none);
@@ -213,7 +215,7 @@ Checkpoint Checkpoint::read_file(const std::filesystem::path& path) { return dec
 Checkpoint Checkpoint::read(const std::filesystem::path& folder) {
   const std::filesystem::path last = folder / name, before = folder / name_before;
   const bool some = std::filesystem::exists(last) || std::filesystem::exists(before);
-  require(some, "{}: no checkpoint there to resume from", last.string());
+  require(some, "{}: no checkpoint to resume from", last.string());
   std::string content;
   try {
     content = content_of(last);
@@ -224,27 +226,25 @@ Checkpoint Checkpoint::read(const std::filesystem::path& folder) {
       throw Error(fmt::format("{}; {}: the run cannot be resumed; run the case again with another --out",
                               damage.what(), second.what()));
     }
-    say("warning: {}; the checkpoint before it takes its place\n", damage.what());
+    say("warning: {}; the previous checkpoint is used\n", damage.what());
     std::filesystem::rename(before, last);
   }
   Checkpoint checkpoint = decode(content, last);
   if (checkpoint.build != build_id())
-    say("warning: {} is of another build of cosurge {} ({:.12}, this is {:.12}): numbers may differ in their "
-        "last "
-        "digits from those of a run that one build does from its start\n",
+    say("warning: {} was written by another build of cosurge {} ({:.12}, this is {:.12}): the last digits "
+        "may differ from those of an uninterrupted run\n",
         last.string(), version, checkpoint.build, build_id());
   return checkpoint;
 }
 
 void Checkpoint::require_same_programs(const std::vector<Member>& members) const {
-  require(members.size() == solvers.size(), "the checkpoint is of {} solvers, the case has {}",
-          solvers.size(), members.size());
+  require(members.size() == solvers.size(), "the checkpoint has {} solvers, the case has {}", solvers.size(),
+          members.size());
   for (std::size_t k = 0; k < members.size(); ++k) {
     const Identity& here = members[k].identity;
     require(here.program == solvers[k].program && here.version == solvers[k].version,
-            "the state of the {0} in the checkpoint is of {1} {2}, and the {0} solver here is {3} {4}: "
-            "resume with "
-            "the program of the run (--{0} PROGRAM or --by-hand {0}, where it is not Cosurge's own)",
+            "the state of the {0} in the checkpoint was written by {1} {2}, but the {0} solver is {3} {4}: "
+            "resume with the program of the run (--{0} PROGRAM or --by-hand {0}, if it is not Cosurge's own)",
             solvers[k].name, solvers[k].program, solvers[k].version, here.program, here.version);
   }
 }

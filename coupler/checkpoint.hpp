@@ -1,4 +1,4 @@
-// What a run can be resumed from.
+// The state from which a run can be resumed.
 #pragma once
 
 #include <filesystem>
@@ -32,12 +32,12 @@ struct Checkpoint {
   /// written.
   void write(const std::filesystem::path& folder) const;
 
-  /// The last one; where it is damaged, the one before takes its place, and a warning says so. Warns where it
+  /// The last one; if it is damaged, the previous one is used, with a warning. Warns where it
   /// is of another build of the same version.
   /// @throws Error when there is none, none is whole, or it is of another version of Cosurge.
   static Checkpoint read(const std::filesystem::path& folder);
 
-  /// What is in one file, as it is. @throws Error where it is damaged or of another version.
+  /// The content of one file. @throws Error if it is damaged or of another version.
   static Checkpoint read_file(const std::filesystem::path& path);
 
   /// @throws Error unless `members` are the programs that the state is of.

@@ -21,22 +21,23 @@ void warn_of_deflection(const Recorder& recorder) {
       100 * deflection->max().value, deflection->max().time, 100 * small);
 }
 
-/// What makes the result less than it seems.
+/// Warnings that limit the validity of the result.
 void remark(const Coupler& coupler, const Recorder& recorder) {
   for (const std::string& note : coupler.notes()) say("{}\n", note);
   if (const std::string lost = lost_water(recorder); !lost.empty()) say("{}\n", lost);
   if (coupler.unconverged() > 0)
-    say("{} of {} windows did not converge in {} iterations: the nearest one counts\n", coupler.unconverged(),
-        coupler.windows(), recorder.the_case().coupling().iteration().limit());
+    say("warning: {} of {} windows did not converge in {} iterations (coupling.iteration.limit); the "
+        "iteration with the smallest residual was used; lower time.window or raise the limit\n",
+        coupler.unconverged(), coupler.windows(), recorder.the_case().coupling().iteration().limit());
   if (const InterfaceAccount& account = coupler.account();
       account.created() > InterfaceAccount::much * account.passed())
-    say("not to be trusted: the coupling scheme itself has put {:.2g} J into the system, where {:.2g} J have "
-        "passed; take coupling.scheme = \"strong\" or what docs/stability.md has instead\n",
-        account.created(), account.passed());
+    say("warning: unreliable result: the coupling created {:.2g} J of spurious energy ({:.3g} % of the work "
+        "done, limit {:.0f} %); use coupling.scheme = \"strong\" or see docs/stability.md\n",
+        account.created(), 100 * account.created() / account.passed(), 100 * InterfaceAccount::much);
   warn_of_deflection(recorder);
 }
 
-/// Does what writes; where that fails, the run has failed, for a further reason perhaps.
+/// Calls `write`; if it fails, the run has failed, possibly for a further reason.
 void attempt(Outcome& outcome, const std::function<void()>& write) {
   try {
     write();
@@ -51,15 +52,14 @@ void attempt(Outcome& outcome, const std::function<void()>& write) {
 /// How to go on with a run that has not finished. A computation that has broken down would do so again.
 void advise(const std::filesystem::path& folder, bool broken_down, double checkpoint_time) {
   if (!std::filesystem::exists(folder / Checkpoint::name))
-    say("there is no checkpoint to go on from: run the case again with another --out\n");
+    say("there is no checkpoint to resume from: run the case again with another --out\n");
   else if (broken_down)
-    say("cosurge resume {0} alone would fail at the same window. From t = {1:.6g} s on it may change "
-        "time.window, "
-        "coupling, fluid.courant, fluid.pressure and fluid.most_lost (--set); anything else needs a new "
-        "run\n",
+    say("cosurge resume {0} without changes would fail at the same window. From t = {1:.6g} s on you may "
+        "change time.window, coupling, fluid.courant, fluid.pressure and fluid.most_lost (--set); any other "
+        "change needs a new run\n",
         folder.string(), checkpoint_time);
   else
-    say("to go on: cosurge resume {}\n", folder.string());
+    say("to resume: cosurge resume {}\n", folder.string());
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The end of a run, however it went: what was recorded, the summary, and the last words.
+// The end of a run: recorded data, the summary and the last messages.
 #pragma once
 
 #include <filesystem>
@@ -13,9 +13,9 @@ namespace cosurge {
 /// section 6).
 constexpr double small_deflection = 0.05;
 
-/// Writes what has been recorded, and the summary, as far as the disk takes them, and says how the run went:
-/// remarks first; the last lines are its end with the reason and, unless it is finished, how to go on. Where
-/// something cannot be written, `outcome` says so afterwards.
+/// Writes the recorded data and the summary, as far as the disk accepts them, and prints the result of the
+/// run: remarks first; the last lines are its end with the reason and, unless it is finished, how to resume
+/// it. If something cannot be written, `outcome` has the reason afterwards.
 /// @param checkpoint_time of the last checkpoint [s]
 void conclude(const std::filesystem::path& folder, const Coupler& coupler, Recorder& recorder,
               double checkpoint_time, Outcome& outcome);

@@ -16,7 +16,7 @@ void require_different(const std::vector<Column>& columns, const std::string& so
   std::set<std::string> names;
   for (const Column& column : columns)
     require(names.insert(column.name).second,
-            "the {} solver has two columns called {}: where one is a probe's, rename the probe", solver,
+            "the {} solver has two columns called {}: if one belongs to a probe, rename the probe", solver,
             column.name);
 }
 
@@ -142,7 +142,7 @@ void Coupler::restore(const std::string& bytes, bool same_scheme) {
     scheme_->restore(state);
     state.finish();
   }
-  began_ = true;  // whoever saved the state has shown the frame at the start
+  began_ = true;  // the frame at the start was shown before the state was saved
 }
 
 void Coupler::save_all_but_scheme(StateWriter& state) const {

@@ -33,10 +33,10 @@ class Coupler {
   /// Initializes the participants, the fluid first: its points are the interface.
   Coupler(const v1::Case& the_case, Participants participants);
 
-  /// All windows from the state it is in until the end, or until `stop` says true. Returns whether the end
+  /// All windows from the present state until the end, or until `stop` returns true. Returns whether the end
   /// was reached. A scheme may have windows gone through again, back to the last settled one or to the last
   /// frame; a run that is stopped goes back there.
-  /// @throws what the participants throw; observers have seen all windows before.
+  /// @throws exceptions of the participants; observers have seen all windows before.
   bool run(const std::vector<Observer*>& observers, const std::function<bool()>& stop);
 
   /// The state of the whole run between two windows, participants included: a new Coupler of the same case
@@ -49,9 +49,9 @@ class Coupler {
   const Interface& interface() const { return interface_; }
   /// Columns that the coupler itself reports for a window.
   std::vector<Column> columns() const;
-  const std::vector<std::string>& notes() const { return notes_; }  ///< what the scheme has decided, and why
+  const std::vector<std::string>& notes() const { return notes_; }  ///< decisions of the scheme
   const InterfaceAccount& account() const { return account_; }
-  std::uint64_t unconverged() const { return unconverged_; }  ///< windows whose iterations ran out
+  std::uint64_t unconverged() const { return unconverged_; }  ///< number of windows that did not converge
   double time() const { return schedule_.time(); }
   std::uint64_t windows() const { return schedule_.windows(); }
   std::uint64_t frames() const { return schedule_.frames(); }  ///< shown once run() has begun

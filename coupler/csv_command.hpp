@@ -13,7 +13,7 @@ struct CsvOptions {
 };
 
 /// Writes one row a window: the time, its length and the histories, parted by commas, with a header of names
-/// and units ("fluid/front [m]"). Numbers have all their digits. Works while the run goes on.
+/// and units ("fluid/front [m]"). Numbers have all their digits. Works during the run.
 /// @throws Error where there are no results, no such column, or the table exists or cannot be written.
 void csv_command(const CsvOptions& options);
 

@@ -1,4 +1,4 @@
-// What passes through the interface.
+// Work and force at the interface.
 #pragma once
 
 #include "common/participant.hpp"
@@ -6,10 +6,10 @@
 
 namespace cosurge {
 
-/// Work and force at the interface points, from what was exchanged and nothing else. The solid keeps the same
-/// account in its own unknowns; the two agree to rounding because loads go back by the transpose of what
-/// motions come by. What the load has worked on the motion that the water saw differs from it by the work
-/// that the scheme itself puts into the system, or takes out.
+/// Work and force at the interface points, from exchanged values only. The solid keeps the same
+/// account in its own unknowns; the two agree to rounding because loads are mapped with the transpose of
+/// the motion's mapping. The work on the motion that the water used differs from it by the energy that the
+/// coupling scheme creates or destroys.
 class InterfaceAccount {
  public:
   explicit InterfaceAccount(bool ramped) : ramped_(ramped) {}

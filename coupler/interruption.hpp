@@ -13,7 +13,7 @@ void note_interruptions();
 
 bool interrupted();
 
-/// Whether what still goes on must be given up: a second after the first signal, at once after a second one.
+/// Whether the present window must be given up: a second after the first signal, at once after a second one.
 bool overdue();
 
 /// "signal 15 (Terminated)" of the last one that was noted.

@@ -62,7 +62,7 @@ Solver Solver::thread(std::unique_ptr<Participant> participant, double patience,
     try {
       serve(*served, wire, token);
     } catch (const std::exception&) {
-      // The coupler has been told, or is what ended the run.
+      // The coupler knows, or has ended the run.
     }
     end.set_value_at_thread_exit();
   });

@@ -14,7 +14,7 @@
 
 namespace cosurge {
 
-/// Where the wire to a solver lies, and what it allows.
+/// Address and settings of the connection to a solver.
 struct Wiring {
   std::filesystem::path folder;  ///< gets ROLE.connection and, unless `listen` says otherwise, the socket
   std::string listen;            ///< "tcp://address:port", or empty for a socket in the folder
@@ -46,7 +46,7 @@ class Solver {
     if (channel_) channel_->turn_away_strangers();
   }
 
-  /// Waits for the solver and welcomes it; gives up once `cancelled` says so, as do all later calls.
+  /// Waits for the solver and welcomes it; gives up when `cancelled` returns true, as do all later calls.
   /// @throws as RemoteParticipant; Interrupted.
   RemoteParticipant& join(int dimension, const std::vector<std::string>& capabilities,
                           Channel::Cancelled cancelled = {});

@@ -1,4 +1,4 @@
-// What is said of water that has left the tank.
+// Message about water that has left the tank.
 #pragma once
 
 #include <string>

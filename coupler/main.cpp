@@ -1,4 +1,4 @@
-// cosurge: launches the solvers of a case, couples them, records what they do.
+// cosurge: launches the solvers of a case, couples them and records the results.
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
@@ -22,31 +22,32 @@
 namespace {
 
 void add_case(CLI::App& command, std::string& path, std::vector<std::string>& overrides) {
-  command.add_option("case", path, "Folder with a case.toml, or the file")->required();
+  command.add_option("case", path, "Folder with a case.toml, or the file itself")->required();
   command
       .add_option("--set", overrides,
-                  "Values in place of the case's: key.path=value, entries of lists by number "
+                  "Override values of the case: key.path=value, with the index for entries of lists "
                   "(fluid.spacing=0.001 solid.model=rigid output.probe.0.name=top)")
       ->take_all();
 }
 
 /// How the solvers are started, which does not change the answer.
 void add_solvers(CLI::App& command, cosurge::RunOptions& options) {
-  CLI::Option* in_process = command.add_flag("--in-process", options.in_process,
-                                             "Solvers as threads of this process, the same bit for bit");
+  CLI::Option* in_process =
+      command.add_flag("--in-process", options.in_process,
+                       "Run the solvers as threads of this process; the results are bit-identical");
   command
-      .add_option("--by-hand", options.by_hand,
-                  "A solver that is not launched but awaited: fluid or solid, and where (solid=tcp://*:5555; "
-                  "default: a socket on this machine). The command to start it is shown")
+      .add_option(
+          "--by-hand", options.by_hand,
+          "Wait for a solver instead of starting it: fluid or solid, and the address (solid=tcp://*:5555; "
+          "default: a socket on this machine). The command to start it is printed")
       ->take_all()
       ->excludes(in_process);
   command
-      .add_option(
-          "--solid", options.solid,
-          "A program of your own in place of solid_solver, with its arguments in one text; it is told "
-          "--connect and --threads (docs/write_your_own_solid.md)")
+      .add_option("--solid", options.solid,
+                  "Your own program instead of solid_solver, with its arguments in one text; it gets "
+                  "--connect and --threads (docs/write_your_own_solid.md)")
       ->excludes(in_process);
-  command.add_option("--threads", options.threads, "Threads of the fluid solver; 0: one a core")
+  command.add_option("--threads", options.threads, "Threads of the fluid solver; 0: one per core")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
   command.add_option("--patience", options.patience, "Longest wait for a solver's answer [s]")
@@ -55,31 +56,30 @@ void add_solvers(CLI::App& command, cosurge::RunOptions& options) {
 }
 
 CLI::App* add_report(CLI::App& app, cosurge::ReportOptions& report) {
-  CLI::App* command = app.add_subcommand(
-      "report", "Write one page for a browser: the scene plays, with histories and tables");
-  command->add_option("results", report.results, "Folders of results; several lie on top of each other")
+  CLI::App* command =
+      app.add_subcommand("report", "Write an HTML page with an animation, histories and tables");
+  command->add_option("results", report.results, "Folders of results; several are shown together")
       ->required();
   command->add_option("--out", report.out, "The page (default: report.html in the first folder)");
   command->add_option("--case", report.case_folder,
-                      "Folder with reference/*.csv (default: that of the case, which the results name)");
+                      "Folder with reference/*.csv (default: the case folder named in the results)");
   command
       ->add_option("--size", report.megabytes,
-                   "Size of the page, about [MB]: it shows fewer frames or particles")
+                   "Approximate size of the page [MB]: a smaller page has fewer frames or particles")
       ->check(CLI::Range(0.5, 1000.0))
       ->capture_default_str();
   return command;
 }
 
 CLI::App* add_watch(CLI::App& app, cosurge::WatchOptions& watch) {
-  CLI::App* command = app.add_subcommand(
-      "watch", "Show a run in a browser of this machine while it goes on, with the time left");
-  command->add_option("results", watch.results, "Folders of results; several lie on top of each other")
-      ->required();
-  command->add_option("--port", watch.port, "Port on 127.0.0.1 (default: any that is free)")
+  CLI::App* command =
+      app.add_subcommand("watch", "Show a running case in a browser on this machine, with the time left");
+  command->add_option("results", watch.results, "Folders of results; several are shown together")->required();
+  command->add_option("--port", watch.port, "Port on 127.0.0.1 (default: any free port)")
       ->check(CLI::Range(1, 65535));
   command
       ->add_option("--size", watch.megabytes,
-                   "Size of the page, about [MB]: it shows fewer frames or particles")
+                   "Approximate size of the page [MB]: a smaller page has fewer frames or particles")
       ->check(CLI::Range(0.5, 1000.0))
       ->capture_default_str();
   return command;
@@ -113,18 +113,17 @@ std::string unknown_command(const CLI::App& app, const std::string& word) {
     return difference(word, a) < difference(word, b);
   });
   const bool near = difference(word, *nearest) <= std::max<std::size_t>(1, nearest->size() / 3);
-  return fmt::format("cosurge {}: no such command{}. There are {}; cosurge COMMAND --help explains one", word,
-                     near ? fmt::format(", did you mean cosurge {}?", *nearest) : "", fmt::join(names, ", "));
+  return fmt::format(
+      "cosurge {}: no such command{}. The commands are {}; cosurge COMMAND --help explains one", word,
+      near ? fmt::format(", did you mean cosurge {}?", *nearest) : "", fmt::join(names, ", "));
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   cosurge::ensure_passive_waiting(argv);
-  CLI::App app(
-      "Cosurge computes what a wave impact does to an elastic structure, and what the structure does back to "
-      "the water.",
-      "cosurge");
+  CLI::App app("Cosurge simulates wave impacts on elastic structures, with coupling in both directions.",
+               "cosurge");
   app.set_version_flag("--version", std::string("cosurge ") + cosurge::version);
   app.require_subcommand(1);
 
@@ -133,46 +132,46 @@ int main(int argc, char** argv) {
       app.add_subcommand("run", "Run a case: start its solvers, couple them, write the results");
   add_case(*run_app, run.case_path, run.overrides);
   run_app->add_option("--out", run.out,
-                      "Folder of the results (default: results/NAME, numbered where it is taken)");
+                      "Folder of the results (default: results/NAME, with a number if it exists)");
   add_solvers(*run_app, run);
 
   cosurge::RunOptions resume;
-  CLI::App* resume_app = app.add_subcommand(
-      "resume",
-      "Go on with a run that was interrupted, failed or was killed, from its last frame, or beyond its end");
+  CLI::App* resume_app = app.add_subcommand("resume",
+                                            "Continue a run that was interrupted, failed or was killed, from "
+                                            "its last frame; or extend a finished run");
   resume_app->add_option("folder", resume.out, "Folder of its results")->required();
   resume_app
       ->add_option("--set", resume.overrides,
-                   "Values in place of the case's, of time, coupling, output.frame_interval, fluid.courant, "
-                   "fluid.pressure and fluid.most_lost (time.end=2 coupling.scheme=strong)")
+                   "Override values of time, coupling, output.frame_interval, fluid.courant, fluid.pressure "
+                   "and fluid.most_lost (time.end=2 coupling.scheme=strong)")
       ->take_all();
   add_solvers(*resume_app, resume);
 
   std::string check_path;
   std::vector<std::string> check_overrides;
-  CLI::App* check_app = app.add_subcommand(
-      "check", "Validate a case and show what would run: particles, windows, memory, time");
+  CLI::App* check_app =
+      app.add_subcommand("check", "Validate a case and estimate its particles, windows, memory and time");
   add_case(*check_app, check_path, check_overrides);
   std::string picture;
-  check_app->add_option(
-      "--picture", picture,
-      "A page for a browser that shows the case: FILE.html, with tank, water, bodies, clamps, "
-      "probes and the paths of walls");
+  check_app->add_option("--picture", picture,
+                        "Write an HTML page of the case to FILE.html: tank, water, bodies, clamps, probes "
+                        "and the paths of walls");
 
   std::string status_folder;
-  CLI::App* status_app = app.add_subcommand(
-      "status", "How far a run is, how fast, and how to go on with it, from its folder alone");
+  CLI::App* status_app =
+      app.add_subcommand("status", "Show the progress and speed of a run, and how to resume it");
   status_app->add_option("folder", status_folder, "Folder of its results")->required();
 
   CLI::App* selftest_app = app.add_subcommand(
-      "selftest", "Water on a sprung piston against its exact frequency and limit of stability");
+      "selftest",
+      "Compare the coupling with theory: frequency and stability limit of water on a sprung piston");
 
   cosurge::CertifyOptions certify;
   std::string role = "solid";
   CLI::App* certify_app = app.add_subcommand(
-      "certify", "Whether a solver program keeps the protocol: cosurge certify -- PROGRAM ARGUMENTS");
+      "certify", "Check protocol conformance of a solver program: cosurge certify -- PROGRAM ARGUMENTS");
   certify_app->add_option("command", certify.command, "The program and its arguments, after --")->required();
-  certify_app->add_option("--set", certify.overrides, "Values in place of the scene's (solid.model=fem)");
+  certify_app->add_option("--set", certify.overrides, "Override values of the test scene (solid.model=fem)");
   certify_app->add_option("--role", role, "What it solves")
       ->check(CLI::IsMember({"fluid", "solid"}))
       ->capture_default_str();
@@ -182,19 +181,19 @@ int main(int argc, char** argv) {
 
   cosurge::MapOptions map;
   CLI::App* map_app =
-      app.add_subcommand("map", "Run a case over a grid of its values, and say where it is stable");
+      app.add_subcommand("map", "Run a case over a grid of values, and tabulate its stability");
   add_case(*map_app, map.case_path, map.overrides);
   map_app
-      ->add_option(
-          "--over", map.over,
-          "An axis of the grid: key.path=value,value,...; key/key=value/value,... changes keys together; "
-          "a vector is one value: gravity=[0,-9.81],[0,-1.62]")
+      ->add_option("--over", map.over,
+                   "One axis of the grid: key.path=value,value,...; key/key=value/value,... changes keys "
+                   "together; a vector is one value: gravity=[0,-9.81],[0,-1.62]")
       ->required()
       ->take_all();
-  map_app->add_option("--out", map.out, "The table, CSV; a map that was interrupted goes on")->required();
-  map_app->add_option("--cores", map.cores, "Runs at a time; 0: one a core")->check(CLI::Range(0, 1024));
+  map_app->add_option("--out", map.out, "The table, CSV; an interrupted map is continued")->required();
+  map_app->add_option("--cores", map.cores, "Number of simultaneous runs; 0: one per core")
+      ->check(CLI::Range(0, 1024));
   cosurge::CsvOptions csv;
-  CLI::App* csv_app = app.add_subcommand("csv", "Write the histories of a run as a table, with units");
+  CLI::App* csv_app = app.add_subcommand("csv", "Write the histories of a run as a CSV table, with units");
   csv_app->add_option("results", csv.results, "Folder of the results, or its results.h5")->required();
   csv_app->add_option("--columns", csv.columns, "Histories to write (fluid/front solid/tip_x); default: all")
       ->take_all();

@@ -9,13 +9,13 @@
 
 namespace cosurge {
 
-/// A file with three lines: the settings of the cell, what was computed, the row.
+/// A file with three lines: the settings of the cell, the case and build, the row.
 class MapCell {
  public:
   /// `settings`: "key=value" of each key; they name the file in `folder`.
   MapCell(const std::filesystem::path& folder, const std::vector<std::string>& settings);
 
-  /// What a row depends on: the case with all its values and tables, and the build.
+  /// Everything that a row depends on: the case with all its values and tables, and the build.
   static std::string identity(const v1::Case& the_case);
 
   /// Whether the row of these settings and this identity is there.

@@ -184,7 +184,8 @@ int map_command(const MapOptions& options) {
   }
   replace_file(options.out, {table});
   fs::remove_all(parts);
-  if (failed == grid.size()) say("every cell failed; the reasons are the last column of {}\n", options.out);
+  if (failed == grid.size())
+    say("every cell failed; the reasons are in the last column of {}\n", options.out);
   return failed == grid.size() ? 1 : 0;
 }
 

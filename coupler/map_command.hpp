@@ -32,8 +32,8 @@ struct MapOptions {
 ///   peak           largest value of it in the run [m]
 ///   peak_time      [s]
 ///   seconds        processor time
-///   reason         of what did not end
-/// Returns 0, or 1 where every cell was refused or has blown up.
+///   reason         why the run did not end
+/// Returns 0, or 1 if every cell was rejected or became unstable.
 /// @throws Error for a wrong axis, and where the table cannot be written or is of another grid.
 int map_command(const MapOptions& options);
 

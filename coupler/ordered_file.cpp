@@ -42,7 +42,7 @@ void check(Driver& driver, bool done) {
   if (!done && driver.failure == 0) driver.failure = errno == 0 ? EIO : errno;
 }
 
-/// What the system writes in one go, whenever the process is killed.
+/// Size that the system writes in one go, whenever the process is killed.
 constexpr haddr_t page = 4096;
 
 /// From the last page to the first. The parts of the index that change lie in one (allocate()); chunks get

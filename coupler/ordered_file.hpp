@@ -25,7 +25,7 @@ class OrderedFile {
   /// `file`: with these properties.
   explicit OrderedFile(const H5::H5File& file);
 
-  /// What HDF5 has flushed since the last one goes to the disk.
+  /// Writes to the disk what HDF5 has flushed since the last call.
   void commit();
 
   /// errno of the first write that failed; 0 where none has.
@@ -34,7 +34,7 @@ class OrderedFile {
   /// Whether `path` still leads to this file: somebody may have removed or replaced it.
   bool lies_at(const std::string& path) const;
 
-  /// Writes what the file has to a new one, `path`. False where that fails, or it is there already.
+  /// Copies the content of the file to a new one, `path`. False if that fails, or it exists already.
   bool copy_to(const std::string& path) const;
 
  private:

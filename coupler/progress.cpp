@@ -89,7 +89,7 @@ void Progress::tell_notes(const Reports& reports) {
       std::fputs(((terminal_ ? "\r\x1b[K" : "") + printable(note) + "\n").c_str(), out_);
 }
 
-/// What passes through the interface, and how hard it is to couple.
+/// Work at the interface, iterations and added-mass ratio.
 std::string Progress::coupling_text(const std::vector<double>& values) const {
   std::string text;
   for (std::size_t k = 0; k < values.size(); ++k) {

@@ -1,4 +1,4 @@
-// What a run shows while it goes.
+// The progress line of a run.
 #pragma once
 
 #include <chrono>

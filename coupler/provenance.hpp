@@ -15,7 +15,7 @@ struct Provenance {
   /// For a new run.
   static Provenance of_case(const std::string& path, const std::vector<std::string>& overrides);
 
-  /// From the results of a run; what they do not say is empty.
+  /// From the results of a run; missing values are empty.
   /// @throws Error where they cannot be read.
   static Provenance of_results(const std::filesystem::path& results);
 };

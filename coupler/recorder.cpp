@@ -66,7 +66,7 @@ void require_same_arrays(const XdmfCloud& cloud, const Snapshot& now) {
   for (const XdmfArray& array : arrays) {
     const auto first = std::find_if(cloud.arrays.begin(), cloud.arrays.end(),
                                     [&](const XdmfArray& other) { return other.name == array.name; });
-    require(first != cloud.arrays.end(), "the {} solver sends the array {}, which its first frame has not",
+    require(first != cloud.arrays.end(), "the {} solver sends the array {}, which is not in its first frame",
             cloud.name, array.name);
     require(array.particles == first->particles && array.components == first->components,
             "the {} solver sends {} with {} x {} numbers in this frame, {} x {} in its first one", cloud.name,

@@ -1,4 +1,4 @@
-// Keeps what a run computes: results.h5, and results.xdmf beside it for ParaView.
+// Records a run: results.h5, and results.xdmf beside it for ParaView.
 //
 //   /history/time, /history/window      end and length of each window [s]
 //   /history/fluid/COLUMN, /history/solid/COLUMN, /history/coupling/COLUMN      one value a window
@@ -52,10 +52,10 @@ class Recorder : public Observer {
 
   void flush();
 
-  /// Gives the HDF5 file another name, in place of one that may be there.
+  /// Renames the HDF5 file, and replaces an existing one.
   void move(const std::filesystem::path& results) { file_.move(results); }
 
-  // What the summary tells.
+  // Values for the summary.
   const v1::Case& the_case() const { return case_; }
   const std::vector<Member>& members() const { return members_; }
   /// The history of this name, such as "fluid/front"; null if there is none.

@@ -47,7 +47,7 @@ std::vector<hsize_t> extent(const H5::DataSet& dataset) {
 std::vector<double> first_rows(const H5::DataSet& series, hsize_t rows) {
   const H5::DataSpace source = series.getSpace();
   require(source.getSimpleExtentNdims() == 1,
-          "{} has {} dimensions instead of 1: it is no history of Cosurge", series.getObjName(),
+          "{} has {} dimensions instead of 1: it is not a history of Cosurge", series.getObjName(),
           source.getSimpleExtentNdims());
   std::vector<double> values(rows);
   if (rows == 0) return values;
@@ -200,17 +200,17 @@ void ResultFile::flush() {
   require_place();
 }
 
-/// What is written to a file without a name is lost with the end of the program.
+/// A file without a name is lost at the end of the program.
 void ResultFile::require_place() {
   if (displaced_.empty() && !order_->lies_at(path_)) {
     displaced_ = order_->copy_to(path_)
                      ? fmt::format(
-                           "{}: was removed during the run; all that was recorded is there again, and the "
-                           "run can be resumed",
+                           "{}: was removed during the run; it has been written again in full, and the run "
+                           "can be resumed",
                            path_)
                      : fmt::format(
-                           "{}: was removed or replaced during the run, and cannot be written again: what "
-                           "was recorded is lost; run the case again with another --out",
+                           "{}: was removed or replaced during the run, and cannot be written again: the "
+                           "recorded data are lost; run the case again with another --out",
                            path_);
   }
   require(displaced_.empty(), "{}", displaced_);

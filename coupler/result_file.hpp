@@ -25,8 +25,8 @@ std::vector<double> first_rows(const H5::DataSet& series, hsize_t rows);
 /// An attribute that is one text. @throws Error where it is something else.
 std::string text_of(const H5::Attribute& attribute);
 
-/// A file that grows. What was there at the last flush() can be read by any HDF5 reader at any time: while
-/// the run goes on, during a flush, and after it was killed. For that
+/// A file that grows. What was there at the last flush() can be read by any HDF5 reader at any time: during
+/// the run, during a flush, and after it was killed. For that
 /// - the writer takes no lock, and writes the oldest format, which knows no mark "open for writing";
 /// - the file's index changes on disk in flush() only, in a safe order (ordered_file.hpp). Within it one
 /// dataset may be longer than another; what each has is right;
@@ -56,7 +56,7 @@ class ResultFile {
   /// Frames x particles (x components, for vectors), as float32. The first frame sets the lengths.
   void append(const std::string& name, const Array& frame);
 
-  /// Gives it another name, in place of a file that may be there.
+  /// Renames it, and replaces an existing file.
   void move(const std::filesystem::path& path);
 
   /// Afterwards all is on the disk, also where the machine fails. Where somebody has removed the file
@@ -74,7 +74,7 @@ class ResultFile {
   std::string path_;
   H5::H5File file_;
   std::optional<OrderedFile> order_;
-  std::string displaced_;  // what has become of the file; empty: it is where it was made
+  std::string displaced_;  // new state of the file; empty: unchanged
   std::map<std::string, H5::DataSet> growing_;
 };
 

@@ -18,11 +18,11 @@ bool make(const fs::path& folder) {
   std::error_code failed;
   if (folder.has_parent_path()) fs::create_directories(folder.parent_path(), failed);
   const bool made = !failed && !fs::exists(folder) && fs::create_directory(folder, failed);
-  require(!failed, "{}: cannot be made: {}", folder.string(), failed.message());
+  require(!failed, "{}: cannot be created: {}", folder.string(), failed.message());
   return made;
 }
 
-/// Also by a link to a file that is not there: what is written to it would appear elsewhere.
+/// Also a link to a missing file: writing to it would create a file elsewhere.
 bool is_taken(const fs::path& path) { return fs::exists(fs::symlink_status(path)); }
 
 bool holds_a_run(const fs::path& folder) {
@@ -45,7 +45,7 @@ ResultFolder::ResultFolder(const fs::path& case_path, const fs::path& out) {
     path_ = out.lexically_normal();
     if (path_.filename().empty()) path_ = path_.parent_path();  // "results/mine/"
     make(path_);
-    require(fs::is_directory(path_), "{}: is no folder; choose another --out", path_.string());
+    require(fs::is_directory(path_), "{}: is not a folder; choose another --out", path_.string());
     require(lock(), "{}: another run has just taken it; choose another --out", path_.string());
     require(!holds_a_run(path_), "{}: holds results already; choose another --out", path_.string());
     return;
@@ -57,11 +57,11 @@ ResultFolder::ResultFolder(const fs::path& case_path, const fs::path& out) {
 }
 
 ResultFolder::ResultFolder(const fs::path& existing) : path_(existing) {
-  require(fs::is_directory(path_), "{}: no folder of results there", path_.string());
-  require(
-      lock(),
-      "{}: a run is going on in this folder; wait for its end, or end it (Ctrl-C or SIGTERM), then resume",
-      path_.string());
+  require(fs::is_directory(path_), "{}: contains no results", path_.string());
+  require(lock(),
+          "{}: a run is in progress in this folder; wait until it ends, or stop it (Ctrl-C or SIGTERM), then "
+          "resume",
+          path_.string());
 }
 
 ResultFolder ResultFolder::of_a_run(const fs::path& folder) { return ResultFolder(folder); }
@@ -78,7 +78,7 @@ ResultFolder::~ResultFolder() {
   if (locked_ >= 0) close(locked_);
 }
 
-/// Where folders cannot be locked (some network drives), whoever made it has it.
+/// If folders cannot be locked (some network drives), the process that created it owns it.
 bool ResultFolder::lock() {
   locked_ = open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (locked_ < 0 || flock(locked_, LOCK_EX | LOCK_NB) == 0) return true;

@@ -20,7 +20,7 @@ class ResultFolder {
   ResultFolder(const std::filesystem::path& case_path, const std::filesystem::path& out);
   ~ResultFolder();
 
-  /// For a run that goes on: the folder of its results. @throws Error where there is none, or a run is using
+  /// For a resumed run: the folder of its results. @throws Error if there is none, or a run is using
   /// it.
   static ResultFolder of_a_run(const std::filesystem::path& folder);
 

@@ -36,7 +36,7 @@ auto Results::attempt(const std::string& doing, Action action) const {
 
 fs::path Results::file_at(const fs::path& place) {
   const fs::path file = fs::is_directory(place) ? place / Recorder::results_name : place;
-  require(fs::is_regular_file(file), "{}: no results there", file.string());
+  require(fs::is_regular_file(file), "{}: contains no results", file.string());
   return file;
 }
 
@@ -44,13 +44,13 @@ Results::Results(const fs::path& place) : path_(file_at(place)) {
   H5::Exception::dontPrint();
   H5::FileAccPropList access;
   H5Pset_file_locking(access.getId(), false, true);  // the run may go on
-  attempt("cannot be read as results: it is no HDF5 file, or damaged", [&] {
+  attempt("cannot be read as results: it is not an HDF5 file, or is damaged", [&] {
     results_ = H5::H5File(path_.string(), H5F_ACC_RDONLY, H5::FileCreatPropList::DEFAULT, access);
     int format = 0;
     if (results_.attrExists("format"))
       results_.openAttribute("format").read(H5::PredType::NATIVE_INT, &format);
     require(format <= Recorder::format,
-            "{}: has format {}, of a later version of Cosurge; this one reads up to format {}",
+            "{}: has format {}, written by a later version of Cosurge; this version reads formats up to {}",
             path_.string(), format, Recorder::format);
   });
 }
@@ -107,7 +107,7 @@ std::vector<FrameArray> Results::arrays(const std::string& member) const {
       const std::string name = group.getObjnameByIdx(k);
       const H5::DataSet dataset = group.openDataSet(name);
       const std::vector<hsize_t> size = extent(dataset);
-      require(size.size() == 2 || size.size() == 3, "{}: {} has {} dimensions: it is no array of Cosurge",
+      require(size.size() == 2 || size.size() == 3, "{}: {} has {} dimensions: it is not an array of Cosurge",
               path_.string(), dataset.getObjName(), size.size());
       arrays.push_back({.name = name,
                         .unit = unit_of(dataset),

@@ -12,8 +12,8 @@
 namespace cosurge {
 namespace {
 
-// What no state depends on: when windows and frames end, how pressures and loads are iterated, how much may
-// be lost.
+// Settings that no state depends on: when windows and frames end, how pressures and loads are iterated, how
+// much may be lost.
 constexpr std::array may_change = {"time.",         "coupling.",       "output.frame_interval",
                                    "fluid.courant", "fluid.pressure.", "fluid.most_lost"};
 constexpr std::size_t most_shown = 10;  // largest number of listed differences
@@ -30,34 +30,35 @@ void require_changes(const std::filesystem::path& folder, const Checkpoint& chec
   for (const Difference& change : changes)
     if (!may(change.key))
       wrong.push_back(
-          fmt::format("--set {}: a resumption cannot change it ({}); it may change time, coupling, "
+          fmt::format("--set {}: cannot be changed by resume ({}); allowed are time, coupling, "
                       "output.frame_interval, fluid.courant, fluid.pressure and fluid.most_lost",
                       change.key, change.first));
   // A run may have been killed between its last checkpoint and its summary.
   if (now.time().end() <= checkpoint.time && (!changes.empty() || concluded(folder)))
-    wrong.push_back(
-        changes.empty()
-            ? fmt::format("the run is finished at t = {:.9g} s; --set time.end=... makes it longer",
-                          checkpoint.time)
-            : fmt::format("time.end: {} s must be > {:.9g} s, where the run stands", now.time().end(),
-                          checkpoint.time));
+    wrong.push_back(changes.empty()
+                        ? fmt::format("the run is finished at t = {:.9g} s; --set time.end=... extends it",
+                                      checkpoint.time)
+                        : fmt::format("time.end: {} s must be > {:.9g} s, the time already reached",
+                                      now.time().end(), checkpoint.time));
   require(wrong.empty(), "{}", fmt::join(wrong, "\n"));
 }
 
-/// What the case file says by now that the case of the run does not.
+/// Reports differences between the case file and the case of the run.
 void tell_of_file(const Provenance& provenance, const v1::Case& begun) {
   if (provenance.case_file.empty() || !std::filesystem::exists(provenance.case_file)) return;
   std::vector<Difference> found;
   try {
     found = differences(begun, load_case(provenance.case_file, provenance.overrides));
   } catch (const std::exception& error) {
-    return say("{} is not the case of this run any more, which goes on with its own: {}\n",
-               provenance.case_file, error.what());
+    return say(
+        "{} can no longer be read as the case of this run, which continues with its original case: {}\n",
+        provenance.case_file, error.what());
   }
   std::erase_if(found,
                 [](const Difference& d) { return may(d.key); });  // earlier resumptions may have set them
   if (found.empty()) return;
-  say("{} has changed since the run began, which goes on with its own case:\n", provenance.case_file);
+  say("{} has changed since the start of the run, which continues with its original case:\n",
+      provenance.case_file);
   for (std::size_t k = 0; k < std::min(found.size(), most_shown); ++k)
     say("  {}: {} in the run, {} in the file\n", found[k].key, found[k].first, found[k].second);
   if (found.size() > most_shown) say("  and {} more\n", found.size() - most_shown);

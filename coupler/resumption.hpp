@@ -1,4 +1,4 @@
-// What a resumption may change, and what has changed since the run began.
+// Allowed changes of a resumed run, and changes of its case file.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace cosurge {
 
-/// A run that goes on.
+/// A resumed run.
 struct Resumption {
   Checkpoint checkpoint;  ///< its case is the present one
   bool same_scheme;       ///< whether the coupling scheme is that of the saved state

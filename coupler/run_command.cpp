@@ -82,7 +82,7 @@ class Solvers {
             .solid = solid_ ? &solid_->participant() : nullptr};
   }
 
-  /// Seconds that messages cost beyond what the solvers computed.
+  /// Time of the messages in addition to the solvers' computing time [s].
   double exchange_seconds() const {
     double sum = 0;
     for (const auto* solver : {&fluid_, &solid_})
@@ -122,7 +122,7 @@ class Solvers {
   bool left_behind_ = false;
 };
 
-/// What is run: a case from its beginning, or a resumption.
+/// A new case, or a resumption.
 struct Job {
   v1::Case the_case;
   fs::path folder;  // folder of the results
@@ -130,7 +130,7 @@ struct Job {
   const Resumption* resumption = nullptr;
 };
 
-/// The new recorder of a run, with what the checkpoint's run had recorded when it was written.
+/// The new recorder of a run, with the data that the run had recorded when the checkpoint was written.
 std::unique_ptr<Recorder> make_recorder(const Job& job, const Coupler& coupler) {
   const auto make = [&](const std::string& name) {
     return std::make_unique<Recorder>(job.folder, job.the_case, coupler.members(), coupler.interface(),
@@ -170,7 +170,7 @@ Outcome compute(const v1::Case& the_case, Coupler& coupler, Recorder& recorder,
     return {.status = "interrupted", .reason = by_signal()};
   } catch (const Interrupted& interrupted) {
     return {.status = "interrupted",
-            .reason = fmt::format("{}, within a window: {}; resumption goes on from the last frame",
+            .reason = fmt::format("{}, within a window: {}; cosurge resume continues from the last frame",
                                   by_signal(), interrupted.what())};
   } catch (const std::exception& error) {
     return {.status = "failed",
@@ -212,11 +212,11 @@ int launch(const RunOptions& options, const Job& job) {
     const int exit_status = run_with(*solvers, job);
     const bool left_behind = solvers->left_behind();
     solvers.reset();
-    if (left_behind) std::_Exit(exit_status);  // a return would take from the thread what it computes with
+    if (left_behind) std::_Exit(exit_status);  // a return would destroy objects that the thread still uses
     return exit_status;
   } catch (const std::exception&) {
     if (!interrupted()) throw;
-    say("interrupted before the run began\n");
+    say("interrupted before the start of the run\n");
     return exit_interrupted;
   }
 }

@@ -12,7 +12,7 @@ struct RunOptions {
   std::string out;          ///< folder of the results; empty: results/NAME, numbered where it is taken
   bool in_process = false;  ///< solvers as threads of this process
   std::vector<std::string> by_hand;  ///< "fluid", "solid=tcp://*:5555": solvers that somebody else starts
-  std::string solid;                 ///< command of a program in place of solid_solver; empty: none
+  std::string solid;                 ///< command of a program instead of solid_solver; empty: none
   int threads = 0;                   ///< threads of the fluid solver; 0: one per core
   double patience = 600;             ///< longest wait for a solver's answer [s]
 };
@@ -22,7 +22,7 @@ struct RunOptions {
 /// @throws Error when the run cannot start: no results are written then, but the logs of the solvers stay.
 int run_command(const RunOptions& options);
 
-/// Goes on with the run in the folder options.out from its checkpoint, to the same bits as if it had never
+/// Resumes the run in the folder options.out from its checkpoint, bit-identical to a run that had never
 /// ended, or with some values changed (options.overrides). Returns and throws as run_command().
 int resume_command(const RunOptions& options);
 

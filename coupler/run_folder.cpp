@@ -57,7 +57,7 @@ RunFolder::RunFolder() {
     std::string name = (parent / (std::string(prefix) + "XXXXXX")).string();
     const bool made = ::mkdtemp(name.data()) != nullptr;
     const int error = made ? 0 : errno;
-    require(made, "cannot make a folder in {}: {}", parent.string(), std::strerror(error));
+    require(made, "cannot create a folder in {}: {}", parent.string(), std::strerror(error));
     path_ = name;
     locked_ = lock(path_, false);
   }

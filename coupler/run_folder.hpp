@@ -1,4 +1,4 @@
-// The folder of a run for what must not outlive it.
+// The folder of a run for files that are removed at its end.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Words for whoever watches a run.
+// Messages to the user of a run.
 #pragma once
 
 #include <fmt/format.h>

@@ -14,17 +14,17 @@ struct Participants {
   Participant* solid = nullptr;
 };
 
-/// What the participants said of a window, those that are there: fluid first.
+/// Reports of the participants on a window, fluid first.
 using Reports = std::vector<Report>;
 
-/// What a scheme says of the last window.
+/// Report of a scheme on the last window.
 struct Effort {
   int iterations = 1;     ///< times that the fluid went through it
   double residual = 0;    ///< relative error of the velocity that the water saw
-  std::string note;       ///< what the scheme has decided after the window, and why; mostly nothing
+  std::string note;       ///< decision of the scheme after the window, with its reason; usually empty
   bool converged = true;  ///< false: a scheme that iterates has given up; the nearest iteration counts
   bool settled = true;    ///< false: it may turn out later that the window has to be gone through again
-  bool again = false;     ///< all windows since the last settled one have to be, by what is decided now
+  bool again = false;     ///< all windows since the last settled one must be repeated with the new choice
 };
 
 /// The effort of one exchange, in which the water saw the velocity `seen` and the structure answered
@@ -46,7 +46,7 @@ class Scheme {
   virtual bool may_go_back() const { return false; }  ///< whether there may be windows that are not settled
   virtual const AddedMassRatio& ratio() const = 0;
 
-  /// What the scheme remembers from window to window: a scheme that is restored goes on bit for bit.
+  /// The scheme's state between windows; after restore() results are bit-identical.
   virtual void save(StateWriter& state) const = 0;
   virtual void restore(StateReader& state) = 0;
 };

@@ -16,7 +16,7 @@ constexpr double spacing = 0.005, width = 0.1, height = 0.2, floor_height = 0.02
 constexpr double water_mass = 1000 * width * height;                               // kg per metre of width
 constexpr double stiffness = 9474.8;                                               // N/m
 constexpr double gravity = 9.81;
-constexpr double push = 18.95;  // N beyond what carries the weights: the piston swings about 2 mm higher
+constexpr double push = 18.95;  // [N] in addition to the weights: the piston oscillates about 2 mm higher
 
 void set_box(v1::Box& box, double x0, double y0, double x1, double y1) {
   for (const double value : {x0, y0}) box.add_min(value);
@@ -92,7 +92,7 @@ bool check_frequency(double mass, v1::Coupling::Scheme scheme) {
   const double exact = std::sqrt(stiffness / (mass + water_mass)) / (2 * std::numbers::pi);
   const double found = 0.5 / run(mass, scheme).half_period;
   return report(std::abs(found / exact - 1) < near,
-                fmt::format("{}, water {:.3g} times the piston: {:.3f} Hz, exact {:.3f} Hz",
+                fmt::format("{}, water {:.3g} times the piston: {:.3f} Hz, theory {:.3f} Hz",
                             v1::Coupling::Scheme_Name(scheme), water_mass / mass, found, exact));
 }
 
@@ -101,7 +101,7 @@ bool check_limit(double ratio, bool stable) {
   constexpr double created = 0.08;  // share of the work: stable runs have less, unstable ones more
   const Outcome outcome = run(water_mass / ratio, v1::Coupling::weak);
   const bool found = outcome.ended && outcome.created < created;
-  return report(found == stable, fmt::format("weak, water {:.3g} times the piston: {}, theory says {}", ratio,
+  return report(found == stable, fmt::format("weak, water {:.3g} times the piston: {}, theory: {}", ratio,
                                              found ? "stable" : "unstable", stable ? "stable" : "unstable"));
 }
 

@@ -97,7 +97,7 @@ SolverProcess::SolverProcess(const Command& command) : log_(command.log) {
   std::vector<std::string> settings = passive_environment();
   std::vector<char*> arguments = pointers(words);
   std::vector<char*> environment = pointers(settings);
-  // A resumption keeps what earlier parts of the run have said. No link leads it to another file.
+  // A resumed run keeps the earlier output. No link is followed.
   const int log = open(command.log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_NOFOLLOW | O_CLOEXEC, 0644);
   require_call(log >= 0, errno, command.log.native(), "cannot be written");
   log_begin_ = std::filesystem::file_size(log_);
@@ -131,7 +131,7 @@ std::optional<std::string> SolverProcess::ended() {
     const int number = WTERMSIG(*status_);
     words = fmt::format("it was killed by signal {} ({})", number, strsignal(number));
   } else {
-    words = fmt::format("it has ended with exit code {}", WEXITSTATUS(*status_));
+    words = fmt::format("it ended with exit code {}", WEXITSTATUS(*status_));
   }
   const std::string line = *status_ == 0 ? "" : last_line(log_, log_begin_);
   return line.empty() ? words : fmt::format("{}; the last line of {}: {}", words, log_.string(), line);

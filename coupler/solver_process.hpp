@@ -15,7 +15,7 @@ namespace cosurge {
 struct Command {
   std::filesystem::path program;
   std::vector<std::string> arguments;
-  std::filesystem::path log;  ///< what the program prints is added to it
+  std::filesystem::path log;  ///< the program's output is appended to it
 };
 
 /// Path of a program that lies in the same folder as the running one.

@@ -43,7 +43,7 @@ std::string speed_of(const fs::path& folder, const Checkpoint& last) {
   const double rate = computed / passed;
   const double since = seconds_between(fs::last_write_time(path), fs::file_time_type::clock::now());
   const double left = std::max(0.0, (last.the_case.time().end() - last.time) / rate - since);
-  return fmt::format("  {:.3g} s of the case an hour; {} left; the last frame came {} ago\n", 3600 * rate,
+  return fmt::format("  {:.3g} s of simulated time per hour; about {} left; last frame {} ago\n", 3600 * rate,
                      clock_text(left), clock_text(since));
 }
 
@@ -51,7 +51,7 @@ std::string speed_of(const fs::path& folder, const Checkpoint& last) {
 
 std::string status_of(const fs::path& folder) {
   const bool there = fs::exists(folder / Recorder::results_name) || fs::exists(folder / "summary.json");
-  require(there, "{}: no run is there", folder.string());
+  require(there, "{}: contains no run", folder.string());
   const std::string state = state_of(folder);
   const bool running = state == "running";
   const std::string advice =

@@ -18,7 +18,7 @@ struct Outcome {
       std::numeric_limits<double>::quiet_NaN();  ///< that messages cost beyond computing
 };
 
-/// Writes summary.json into `folder`. What is not known, or not finite, is null.
+/// Writes summary.json into `folder`. Unknown or non-finite values are null.
 /// @throws Error when it cannot be written.
 void write_summary(const std::filesystem::path& folder, const Recorder& recorder, const Outcome& outcome);
 

@@ -11,7 +11,7 @@ namespace cosurge {
 /// Watches the load's alternation, the work and one displacement.
 class Swing : public Observer {
  public:
-  /// @param coupler whose run it watches
+  /// @param coupler the coupler of the observed run
   explicit Swing(const Coupler& coupler);
 
   void window(const Window& window, const Reports& reports, const std::vector<double>& coupling) override;

@@ -65,7 +65,7 @@ void WindowSchedule::restore(StateReader& state) {
   if (time_table_.stepping() != v1::Time::fixed) return;
   const double size = longest_, windows = std::round(time_ / size);
   require(std::abs(windows - time_ / size) < 1e-6,
-          "time.window: the run stands at t = {:.9g} s, which is no whole number of fixed windows of {} s",
+          "time.window: the time reached, t = {:.9g} s, is not a whole number of fixed windows of {} s",
           time_, size);
   surplus_ = static_cast<std::int64_t>(index_) - static_cast<std::int64_t>(windows);
 }

@@ -21,7 +21,7 @@ namespace {
 pid_t start(std::size_t k, const std::function<void(std::size_t)>& work) {
   const pid_t parent = getpid();
   const pid_t pid = fork();
-  if (pid < 0) throw Error(fmt::format("no process for another cell: {}", std::strerror(errno)));
+  if (pid < 0) throw Error(fmt::format("cannot start a process for another cell: {}", std::strerror(errno)));
   if (pid > 0) return pid;
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(1);  // it died before the line above

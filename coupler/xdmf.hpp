@@ -1,4 +1,4 @@
-// The frames of a run as ParaView reads them: an XML file that says what lies where in the HDF5 file.
+// The frames of a run for ParaView: an XML file that refers to the arrays of the HDF5 file.
 #pragma once
 
 #include <cstdint>

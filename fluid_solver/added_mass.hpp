@@ -11,7 +11,7 @@
 
 namespace cosurge::fluid {
 
-/// What a motion of modes needs of the pressure on the wet points, r modes and n points.
+/// Effect of a motion of modes on the pressure at the wet points, r modes and n points.
 struct ModalLoad {
   Eigen::VectorXd pressure;          ///< pressure for the predicted motion, negative values included [Pa]
   Eigen::MatrixXd per_acceleration;  ///< n x r: pressure per unit acceleration of each mode [Pa s2]
@@ -19,7 +19,7 @@ struct ModalLoad {
   Eigen::VectorXd
       mobility;  ///< acceleration that a unit of load on each mode means for the window [1/(N s2)]
   Eigen::VectorXd predicted;   ///< load on each mode that the predicted motion was computed with [N]
-  double lowest_pressure = 0;  ///< what is below is cut off [Pa]
+  double lowest_pressure = 0;  ///< lower limit of the pressure [Pa]
 };
 
 /// The accelerations c of the modes, beyond the predicted motion, that agree with the load of the pressure
@@ -33,7 +33,7 @@ Eigen::VectorXd consistent_accelerations(const ModalLoad& load);
 template <int dim>
 class AddedMass {
  public:
-  /// What a step has of its own.
+  /// The data of one step.
   struct Step {
     BodiesInWater<dim> bodies;
     const std::vector<Vec<dim>>& body_areas;
@@ -45,7 +45,7 @@ class AddedMass {
     double dt;
     std::uint32_t attempt;   ///< attempt number of the window; 0: the window is not repeated
     double tolerance;        ///< relative residual of the pressure equation
-    double lowest_pressure;  ///< what is below is cut off [Pa]
+    double lowest_pressure;  ///< lower limit of the pressure [Pa]
   };
 
   /// Sets the modes for the next window; empty if the scheme uses none.

@@ -51,7 +51,7 @@ class Bodies {
   int points() const { return static_cast<int>(position_.size()); }
   const Vec<dim>& position(int k) const { return position_[static_cast<std::size_t>(k)]; }
   int body(int k) const { return body_[static_cast<std::size_t>(k)]; }
-  /// Whether the point has a face that neither its body, nor clamps, nor the tank cover where it is drawn.
+  /// Whether the point has a face that neither its body, nor clamps, nor the tank cover at the start.
   bool wet(int k) const { return !area_[static_cast<std::size_t>(k)].isZero(); }
 
   /// The point whose velocity the water sees in point k: the nearest wet one. So a body that is compressed
@@ -61,13 +61,13 @@ class Bodies {
     return nearest >= 0 ? nearest : k;
   }
 
-  /// Areas of its wet lattice faces where it is drawn.
+  /// Areas of its wet lattice faces at the start.
   const LatticeFaces<dim>& lattice_faces(int k) const { return faces_[static_cast<std::size_t>(k)]; }
 
   /// The surface that `displacement` (dimension x points [m]) has deformed; all of it is open to the water.
   Faces<dim> deformed(const Field& displacement) const;
 
-  /// Leaves of the areas what is open to the water.
+  /// Reduces the areas to the part that is open to the water.
   void set_open(const std::vector<Openness<dim>>& open, Faces<dim>& faces) const;
 
   Interface interface() const;

@@ -33,7 +33,7 @@ Vec<dim> collision(const Particles<dim>& particles, const Neighbors<dim>& neighb
   Vec<dim> change = Vec<dim>::Zero();
   neighbors.each(particles, i, [&](int j, const Vec<dim>& x_ij, double r) {
     const Vec<dim>& n = particles.normal[j];
-    if (!n.isZero()) {  // one face has many particles: what it has changed already counts
+    if (!n.isZero()) {  // a face has many particles: the velocity change by the others already counts
       const double approach = (particles.u[j] - particles.u[i] - change).dot(n);
       if (approach > 0 && at_face(x_ij, n, law.spacing)) change += (1 + law.restitution) * approach * n;
       return;

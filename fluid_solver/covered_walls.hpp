@@ -20,7 +20,7 @@ template <int dim>
 std::vector<Cover> cover_walls(Particles<dim>& particles, const Neighbors<dim>& neighbors,
                                const Walls<dim>& walls, double spacing);
 
-/// Gives covered wall particles the velocity and normal of what covers them: water cannot slide along them,
+/// Gives covered wall particles the velocity and normal of their covers: water cannot slide along them,
 /// it meets the body or obstacle there.
 template <int dim>
 void follow_covers(Particles<dim>& particles, const std::vector<Cover>& covers);

@@ -14,7 +14,7 @@ struct FacePiece {
 };
 
 /// Pieces of the boundary of a shape, none longer than `longest` [m]. Where closed parts of an outline
-/// overlap, what lies inside of another part is left out.
+/// overlap, parts inside another part are left out.
 template <int dim>
 std::vector<FacePiece<dim>> pieces_of(const Shape<dim>& shape, double longest);
 

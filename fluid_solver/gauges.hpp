@@ -1,4 +1,4 @@
-// What is measured in the water every window.
+// Measurements in the water in every window.
 #pragma once
 
 #include "fluid_solver/mps.hpp"

@@ -34,9 +34,8 @@ void LostWater<dim>::after_step(const Particles<dim>& particles, double t) {
     if (here_[id] != 0) ++lost_[side_of(place_[id], t)];
   if (lost() <= most_lost_ * water_) return;
   throw NumericalError(fmt::format(
-      "{:.0f} of {:.0f} particles of water ({:.3g} %) have left the tank by t = {:.4g} s: {}; "
-      "fluid.most_lost = {} allows {:.3g} %. Make the tank higher or time.window smaller, or allow "
-      "more",
+      "{:.0f} of {:.0f} water particles ({:.3g} %) have left the tank by t = {:.4g} s: {}; fluid.most_lost = "
+      "{} allows {:.3g} %. Make the tank higher, time.window smaller or fluid.most_lost larger",
       lost(), water_, 100 * lost() / water_, t, where(), most_lost_, 100 * most_lost_));
 }
 

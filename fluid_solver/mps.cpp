@@ -99,8 +99,8 @@ void Mps<dim>::add_water(const std::vector<BodySites<dim>>& bodies) {
     filled.push_back(shape);
   }
   require(particles_.size() > 0,
-          "fluid.water: holds no particle; it is smaller than fluid.spacing, or lies out of the tank or in "
-          "obstacles and bodies");
+          "fluid.water: contains no particle; it is smaller than fluid.spacing, or lies outside the tank or "
+          "in obstacles and bodies");
 }
 
 template <int dim>
@@ -133,7 +133,7 @@ void Mps<dim>::advance_to_pressure(double start, double dt) {
 }
 
 /// The source `time_scale` has an OpenSurface. The others mend every divergence at once, which makes
-/// particles of a surface with pressure fly apart: theirs is the paper's, P = 0 where particles are flagged.
+/// particles of a surface with pressure separate: they use P = 0 on flagged particles, as Amaro & Cheng.
 template <int dim>
 void Mps<dim>::find_free_surface() {
   if (open_surface()) return density_and_lone_particles(particles_, neighbors_);
@@ -165,7 +165,8 @@ void Mps<dim>::predict(double start, double dt) {
   }
 }
 
-/// Sorts and lists; what has gone through a wall is moved out of the domain first, and so drops out.
+/// Sorts and lists; particles that have passed through a wall are first moved out of the domain, which
+/// removes them.
 template <int dim>
 void Mps<dim>::search_neighbors(double time) {
   clock_.enter(searching);
@@ -183,7 +184,7 @@ void Mps<dim>::search_neighbors(double time) {
   follow_covers(particles_, covers_);
 }
 
-/// Collisions of the paper's sources give some of the approach back; with an open surface they are plastic.
+/// With flagged surfaces collisions have a restitution; with an open surface they are plastic.
 template <int dim>
 double Mps<dim>::restitution() const {
   const v1::Collision& collision = parameters_.collision();

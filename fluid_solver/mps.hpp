@@ -20,7 +20,7 @@ namespace cosurge::fluid {
 /// Phases of a step whose wall time is added up.
 enum Phase : std::size_t { predicting, searching, evaluating, assembling, solving, correcting, phase_count };
 
-/// What one step says of itself.
+/// Report of one step.
 struct StepReport {
   SolveReport pressure;
   double max_speed = 0;   ///< largest speed of a fluid particle [m/s]
@@ -139,7 +139,7 @@ class Mps {
   AddedMass<dim> added_mass_;
   PhaseClock<phase_count> clock_;
 
-  Vec<dim> nowhere_;  // outside the domain: what has gone through a wall is put there, and drops out
+  Vec<dim> nowhere_;  // outside the domain; particles that have passed through a wall are moved there
   double propagation_speed_ = 0;  // c of the source `time_scale` [m/s]
   double speed_bound_ = 0;        // [m/s]
   double max_body_speed_ = 0;

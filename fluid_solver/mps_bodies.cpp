@@ -102,8 +102,8 @@ void Mps<dim>::locate_bodies() {
   }
   if (const auto gone = std::count(body_place_.begin(), body_place_.end(), -1); gone > 0)
     throw NumericalError(
-        fmt::format("{} of {} points of the bodies have left the fluid's domain: the solid has blown "
-                    "up, or fluid.tank is too small",
+        fmt::format("{} of {} points of the bodies have left the fluid's domain: the solid has become "
+                    "unstable, or fluid.tank is too small",
                     gone, bodies_.points()));
 }
 

@@ -1,4 +1,4 @@
-// What the pressure has to mend: density and divergence of the predicted state.
+// The source of the pressure equation: density and divergence of the predicted state.
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +9,7 @@
 
 namespace cosurge::fluid {
 
-/// What the source changes by with the divergence of the velocity, by the case's choice.
+/// Change of the source per divergence of the velocity, for the case's choice.
 template <int dim>
 void Mps<dim>::set_source_per_divergence(double dt) {
   const double rho = parameters_.density();

@@ -50,17 +50,17 @@ void Mps<dim>::check_state() const {
   const std::size_t count = all.x.size();
   for (const std::size_t length : {all.u.size(), all.p.size(), all.n.size(), all.normal.size(),
                                    all.kind.size(), all.id.size(), all.free_surface.size()})
-    require(length == count, "saved state: {} entries for {} particles; it is of another case or build",
+    require(length == count, "saved state: {} entries for {} particles; it belongs to another case or build",
             length, count);
   require(faces_.area.empty() || static_cast<std::int64_t>(faces_.area.size()) == bodies_.points(),
-          "saved state: areas of {} points, the bodies have {}; it is of another case or build",
+          "saved state: areas of {} points, the bodies have {}; it belongs to another case or build",
           faces_.area.size(), bodies_.points());
   std::vector<bool> there(static_cast<std::size_t>(initial_size()));
   for (std::size_t i = 0; i < count; ++i) {
-    const auto id = static_cast<std::size_t>(all.id[i]);  // what is negative becomes too large
+    const auto id = static_cast<std::size_t>(all.id[i]);  // a negative number becomes too large
     require(id < there.size() && !there[id] && all.kind[i] <= Kind::body_inner && all.x[i].allFinite(),
             "saved state: particle {} has id {} of {} (twice: {}), kind {} and its place is {}; the state is "
-            "damaged, or of another case or build",
+            "damaged, or belongs to another case or build",
             i, all.id[i], there.size(), id < there.size() && there[id], static_cast<int>(all.kind[i]),
             all.x[i].allFinite() ? "finite" : "no number");
     there[id] = true;

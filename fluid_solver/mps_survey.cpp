@@ -24,8 +24,8 @@ void Mps<dim>::check_bounds(int water, int which, double fastest, double end) co
                     end));
   if (!(fastest <= speed_bound_))
     throw NumericalError(
-        fmt::format("fluid particle {} at ({:.4g}) moves at {:.4g} m/s at t = {:.6g} s, beyond any physical "
-                    "bound ({:.4g} m/s): the pressure has blown up; lower time.window or fluid.courant",
+        fmt::format("fluid particle {} at ({:.4g}) moves at {:.4g} m/s at t = {:.6g} s; the physical limit "
+                    "is {:.4g} m/s: the pressure is unstable; lower time.window or fluid.courant",
                     particles_.id[which], fmt::join(particles_.x[which], ", "), fastest, end, speed_bound_));
 }
 

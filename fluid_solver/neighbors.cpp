@@ -17,8 +17,8 @@ void check_crowding(const CellGrid<dim>& grid, const Particles<dim>& particles) 
     if (grid.population(c) <= most) continue;
     const Vec<dim> x = particles.x[static_cast<std::size_t>(grid.first(c))];
     throw NumericalError(
-        fmt::format("{} particles lie in one cell of the neighbour search, at ({:.4g}): the "
-                    "water has collapsed there; use a smaller window or a smaller compressibility",
+        fmt::format("{} particles lie in one cell of the neighbour search, at ({:.4g}): the water has "
+                    "collapsed there; lower time.window or fluid.compressibility",
                     grid.population(c), fmt::join(x, ", ")));
   }
 }

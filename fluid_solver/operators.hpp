@@ -14,7 +14,7 @@ Vec<dim> gradient_p_min(const Particles<dim>& particles, const Neighbors<dim>& n
 
 /// Pressure gradient of particle i, eq. (9b): (d / n0) sum of (P_j + P_i) x_ij / r^2 w. Equal and opposite
 /// within every pair, so that momentum is conserved, and pressure evens out the particles as it should.
-/// Dummies and inner points of bodies stand for P_j = P_i + rho g . x_ij; `rho_g` [N/m3]; not below
+/// Dummies and inner points of bodies represent P_j = P_i + rho g . x_ij; `rho_g` [N/m3]; not below
 /// `lowest` [Pa].
 template <int dim>
 Vec<dim> gradient_conserving(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i,

@@ -1,4 +1,4 @@
-// The probes of the water: what a case asks to be measured every window.
+// The probes of the water, measured in every window.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@
 
 namespace cosurge::fluid {
 
-/// What a probe needs to know of the window that has ended.
+/// Data of the last window for the probes.
 struct ProbeInput {
   const Surface& surface;  ///< load on the bodies, and where they are
   double end;              ///< time [s]

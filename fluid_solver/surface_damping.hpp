@@ -1,4 +1,4 @@
-// Damping of what particles of the free surface do against each other.
+// Damping of relative motion of particles at the free surface.
 #pragma once
 
 #include <algorithm>

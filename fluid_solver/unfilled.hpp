@@ -13,11 +13,11 @@ struct UnfilledAllocator : std::allocator<T> {
   void construct(T* number) noexcept { ::new (static_cast<void*>(number)) T; }
 };
 
-/// Room for numbers, more than are used: what nobody has written to takes no memory.
+/// Room for more numbers than are used: unwritten memory is not allocated.
 template <typename T>
 class Unfilled {
  public:
-  /// For so many numbers; what was there is lost.
+  /// For this many numbers; earlier content is lost.
   void make_room(std::size_t numbers) {
     numbers_.clear();  // nothing is copied
     numbers_.resize(numbers);

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws the tables of limits that docs/stability.md shows; which picture, the table's name says.
+"""Draws the tables of limits in docs/stability.md; the name of the table selects the picture.
 
 scripts/plot_limits.py docs/tables/solid_steps.csv docs/pictures/solid_steps.png
 """

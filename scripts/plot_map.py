@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws a table of `cosurge map`: a row a combination of the first axes, the last axis to the right.
+"""Draws a table of `cosurge map`: one row per combination of the first axes, the last axis to the right.
 
 scripts/plot_map.py TABLE PICTURE [--x 20/x] [--label "added mass over mass"] [--limit weak/mean/held=2 ...]
 

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Draws what a second of the paper's plate costs with each solid model, from docs/tables/solid_cost.csv.
+"""Draws the cost of a second of the plate of Amaro & Cheng with each solid model, from docs/tables/solid_cost.csv.
 
 Usage: scripts/plot_solid_cost.py [FILE.png]     (docs/pictures/solid_cost.png by default)
 """

@@ -1,4 +1,4 @@
-"""Runs of cosurge for a study: kept in a folder each, gone on with where they were interrupted, never repeated."""
+"""Runs of cosurge for a study: one folder each; interrupted runs are resumed, finished runs are not repeated."""
 import concurrent.futures
 import dataclasses
 import hashlib
@@ -17,7 +17,7 @@ COSURGE = ROOT / "build/release/bin/cosurge"
 
 @dataclasses.dataclass(frozen=True)
 class Run:
-    """A case with values in place of the case's own ({key: value}), and the name of its folder."""
+    """A case with changed values ({key: value}), and the name of its folder."""
 
     name: str
     case: str
@@ -27,14 +27,14 @@ class Run:
         return [f"{key}={value}" for key, value in self.settings.items()]
 
     def identity(self):
-        """What the results depend on, in short: a folder with another one is an older study's."""
+        """Hash of everything that the results depend on; a folder with another hash is from an older study."""
         case = tomllib.loads((ROOT / "cases" / self.case / "case.toml").read_text())
         text = json.dumps([case, self.words()], sort_keys=True)
         return hashlib.sha1(text.encode()).hexdigest()
 
 
 class Study:
-    """Runs below one folder, as many at a time as `jobs`, each on `threads` threads."""
+    """Runs in one folder, `jobs` at a time, each with `threads` threads."""
 
     def __init__(self, folder, jobs=1, threads=1):
         self.folder = Path(folder)
@@ -45,12 +45,12 @@ class Study:
         return self.folder / run.name
 
     def begun(self, run):
-        """summary.json of a run that is there, to its end or not; None before."""
+        """summary.json of a run, finished or not; None if there is none."""
         path = self.folder_of(run) / "summary.json"
         return json.loads(path.read_text()) if path.exists() and self._identity(run) == run.identity() else None
 
     def summary(self, run):
-        """The same of a run that came to its end, well or not."""
+        """The same for a run that has ended, successfully or not."""
         summary = self.begun(run)
         return summary if summary and summary["status"] in ("finished", "failed") else None
 
@@ -59,7 +59,7 @@ class Study:
         return summary is not None and summary["status"] == "finished"
 
     def execute(self, runs):
-        """Runs those that have not ended yet; one line every half minute says how far they are."""
+        """Runs those that have not ended yet; prints the progress every half minute."""
         left = [run for run in runs if self.summary(run) is None]
         if not left:
             return
@@ -85,7 +85,7 @@ class Study:
         folder = self.folder_of(run)
         begun = self._identity(run) == run.identity() and (folder / "checkpoint").exists()
         self._log(run).with_suffix(".id").write_text(run.identity())
-        if not begun or "it is of another case or build" in self._start(run, ["resume", folder], "a"):
+        if not begun or "it belongs to another case or build" in self._start(run, ["resume", folder], "a"):
             subprocess.run(["rm", "-rf", folder], check=True)
             settings = ["--set", *run.words()] if run.settings else []
             self._start(run, ["run", ROOT / "cases" / run.case, "--out", folder, *settings], "w")
@@ -95,7 +95,7 @@ class Study:
             (folder / "summary.json").write_text(json.dumps({"status": "failed", "reason": words}))
 
     def _start(self, run, words, mode):
-        """Runs cosurge to its end, what it says into the log opened in `mode`; returns that."""
+        """Runs cosurge to its end, with its output in the log opened in `mode`; returns the output."""
         with open(self._log(run), mode) as log:
             before = log.tell()
             command = [COSURGE, words[0], "--threads", str(self.threads), *words[1:]]

@@ -73,8 +73,8 @@ Field CarriedModel<dim>::carrier_velocities(const Field& place, double t) const 
   return all;
 }
 
-/// What nodes at these places seem to be accelerated by in the window, beyond gravity where the carriers were
-/// at the start (S46) [m/s2].
+/// Apparent acceleration of nodes at these places in the window, in addition to gravity when the carriers
+/// were at the start (S46) [m/s2].
 template <int dim>
 Field CarriedModel<dim>::apparent_acceleration(const Field& place, const Window& window) const {
   const double start = window.start, end = window.start + window.size;

@@ -1,4 +1,4 @@
-// A solid model whose bodies are held by what moves as prescribed.
+// A solid model with bodies on holders with prescribed motion.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,7 @@
 
 namespace cosurge {
 
-/// Any model, computed as it is seen from what carries each body: the tank, an obstacle, or a motion of the
+/// Any model, computed in the frame of the carrier of each body: the tank, an obstacle, or a motion of the
 /// body's own (docs/method_solid.md, section 13). Clamps, supports and springs stand still there; the nodes
 /// get the forces of inertia of the carrier's motion. Displacements, velocities and energies are those in
 /// space.
@@ -48,7 +48,7 @@ class CarriedModel : public WrappedModel {
   Field ramp_increment_;
 };
 
-/// The model, carried where what holds one of its bodies moves.
+/// The model, wrapped if a holder of one of its bodies moves.
 std::unique_ptr<SolidModel> with_carriers(std::unique_ptr<SolidModel> model, const v1::Case& the_case);
 
 }  // namespace cosurge

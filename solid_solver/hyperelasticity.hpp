@@ -9,7 +9,7 @@
 
 namespace cosurge {
 
-/// What a material answers to a deformation. Its stiffness is C = a B (x) B + b (B [x] B + its transpose),
+/// Response of a material to a deformation. Its stiffness is C = a B (x) B + b (B [x] B + its transpose),
 /// that is C : dE = a (B : dE) B + 2 b B dE B.
 template <int dim>
 struct Response {
@@ -34,7 +34,7 @@ double dilatation(const Mat<dim>& H, const Elasticity& m) {
   return std::log(std::max((Mat<dim>::Identity() + H).determinant(), 1e-300));
 }
 
-/// S = lambda theta I + 2 mu E (docs/method_solid.md, S20), where theta is tr E or what stands for it.
+/// S = lambda theta I + 2 mu E (docs/method_solid.md, S20), where theta is tr E or its replacement.
 template <int dim>
 Response<dim> st_venant_kirchhoff(const Mat<dim>& H, double theta, const Elasticity& m) {
   const Mat<dim> E = green_strain<dim>(H);
@@ -75,7 +75,7 @@ Response<dim> neo_hookean(const Mat<dim>& H, double theta, const Elasticity& m) 
           .across2 = square};
 }
 
-/// @param theta what lambda resists: dilatation(H), or a mean of it over a region
+/// @param theta dilatation with the modulus lambda: dilatation(H), or a mean of it over a region
 template <int dim>
 Response<dim> respond(const Mat<dim>& H, double theta, const Elasticity& material) {
   return material.neo_hookean ? neo_hookean<dim>(H, theta, material)

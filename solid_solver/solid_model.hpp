@@ -1,4 +1,4 @@
-// What a solid model is to its participant: unknowns at nodes that follow loads.
+// Interface of a solid model: unknowns at nodes that move under loads.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -103,10 +103,10 @@ class SolidModel {
   virtual std::vector<Column> columns() const { return {}; }
   virtual std::vector<double> values() const { return {}; }
 
-  /// What the model has to say of the last window, in sentences; empty afterwards.
+  /// Messages of the model on the last window; empty afterwards.
   virtual std::vector<std::string> take_notes() { return {}; }
 
-  /// The complete state: restore(save()) continues bit for bit.
+  /// The complete state: after restore(save()) results are bit-identical.
   virtual std::string save() const = 0;
   virtual void restore(const std::string& state) = 0;
 

@@ -53,7 +53,7 @@ class SolidParticipant : public Participant {
   Field load_;                 // on the nodes in the last window
   double interface_work_ = 0;  // work of the loads on the nodes since the start [J]
   std::optional<PointModes> modes_;
-  std::string remembered_;  // state at the start of a window that may be gone through again
+  std::string remembered_;  // state at the start of a window that may be repeated
 
   PhaseClock<phases> clock_;
   double cpu_seconds_at_start_ = 0;

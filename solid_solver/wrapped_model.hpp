@@ -8,7 +8,7 @@
 
 namespace cosurge {
 
-/// Answers as the model inside does; what is around it overrides what it changes.
+/// Forwards to the model inside; wrappers override the functions that they change.
 class WrappedModel : public SolidModel {
  public:
   explicit WrappedModel(std::unique_ptr<SolidModel> model) : model_(std::move(model)) {}

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""A structure from outside Cosurge: an upright cantilever by its lowest bending modes (Euler and Bernoulli), in Python.
+"""An external structure for Cosurge: an upright cantilever by its lowest bending modes (Euler-Bernoulli), in Python.
 
     cosurge run cases/foreign_solid --solid cases/foreign_solid/plate.py
 
@@ -17,9 +17,9 @@ import numpy as np
 import zmq
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-PROTOCOL, ROOTS = 2, np.array([1.87510407, 4.69409113, 7.85475744])  # of cos x cosh x = -1
+PROTOCOL, ROOTS = 2, np.array([1.87510407, 4.69409113, 7.85475744])  # roots of cos x cosh x = -1
 MODES = len(ROOTS)
-with tempfile.TemporaryDirectory() as folder:  # the messages, from their definition
+with tempfile.TemporaryDirectory() as folder:  # compile the messages
     subprocess.run(["protoc", f"-I{ROOT}", f"--python_out={folder}", "proto/case.proto", "proto/exchange.proto"],
                    cwd=ROOT, check=True)
     sys.path.insert(0, folder)

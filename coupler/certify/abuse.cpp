@@ -14,7 +14,7 @@ Abuse::Abuse(const CertifyOptions& options)
       process_(start(options)) {
   channel_.set_peer_ended([this] { return process_.ended(); });
   channel_.receive(reply_, "its hello");
-  require(reply_.has_hello(), "its first message is no hello");
+  require(reply_.has_hello(), "its first message is not a Hello");
 }
 
 const v1::Reply& Abuse::ask(v1::Request request) {
@@ -73,10 +73,10 @@ void Abuse::send(v1::Request request, int skip) {
 void Abuse::expect_failure(bool says_so) {
   try {
     channel_.receive(reply_, "its Failure");
-    require(reply_.has_failure(), "goes on as if nothing were wrong");
-    require(!reply_.failure().what().empty(), "fails without a word");
+    require(reply_.has_failure(), "continues without reporting the error");
+    require(!reply_.failure().what().empty(), "sends a Failure without a message");
   } catch (const PeerLost&) {
-    require(!says_so, "ends without a Failure");
+    require(!says_so, "ends without sending a Failure");
   }
   const auto start = std::chrono::steady_clock::now();
   while (!process_.ended() && std::chrono::steady_clock::now() - start < to_end)

@@ -1,4 +1,4 @@
-// A coupler that does what it must not.
+// A coupler that violates the protocol, to test a solver.
 #pragma once
 
 #include <string>
@@ -22,7 +22,7 @@ class Abuse {
   void welcome();
   v1::Request initialize(const CertifyOptions& options) const;
 
-  /// A window with what the program itself has said at the start.
+  /// A window with the program's own initial motion or load.
   v1::Request advance(const CertifyOptions& options) const;
 
   /// The forces or the velocities of a window's request.
@@ -32,7 +32,7 @@ class Abuse {
   void send(v1::Request request, int skip = 0);
   void send_bytes(const std::string& bytes) { channel_.send_bytes(bytes); }
 
-  /// The program must fail by itself within some seconds, with a Failure in words where `says_so`.
+  /// The program must exit by itself within some seconds, with a Failure message if `says_so`.
   /// @throws Error where it does not
   void expect_failure(bool says_so);
 

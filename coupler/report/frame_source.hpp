@@ -9,7 +9,7 @@
 
 namespace cosurge {
 
-/// The arrays of one solver's frames, by name. All calls throw Error where there is no such array.
+/// The arrays of one solver's frames, by name. All calls throw Error if there is no such array.
 class FrameSource {
  public:
   explicit FrameSource(std::vector<FrameArray> arrays) : arrays_(std::move(arrays)) {}

@@ -31,7 +31,7 @@ struct Range {
   double start() const { return min <= max ? min : 0; }
 };
 
-/// What is shown of one frame.
+/// The displayed values of one frame.
 struct Shown {
   std::vector<std::vector<float>> position;  // by coordinate
   Bytes kind;
@@ -114,7 +114,7 @@ Words signed_last(const Words& now, const Words& foretold) {
   return out;
 }
 
-/// What the frames before let expect: nothing for the first, rest for the second, then even motion.
+/// Extrapolation from the frames before: nothing for the first, rest for the second, then even motion.
 class Forecast {
  public:
   Words of(std::size_t axis, std::size_t particles) const {

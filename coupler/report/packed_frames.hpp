@@ -14,7 +14,7 @@ struct Cast {
   std::string member;                   ///< "fluid"
   std::vector<std::size_t> particles;   ///< their numbers in the frames
   double finest = 0;                    ///< positions need not be finer [m]; 0: as fine as 16 bits are
-  std::vector<std::string> quantities;  ///< names of arrays to colour by; "speed" is made of "velocity"
+  std::vector<std::string> quantities;  ///< names of arrays to colour by; "speed" is computed from "velocity"
 };
 
 /// Packs some frames so that they can be read without any others. Positions are 16-bit multiples of a

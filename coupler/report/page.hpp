@@ -6,7 +6,7 @@
 
 namespace cosurge {
 
-/// The page with its program (built from coupler/report/page) and what it shows (page_document()).
+/// The page with its program (built from coupler/report/page) and its data (page_document()).
 std::string page(const nlohmann::ordered_json& document);
 
 /// JSON text that may stand in a script element of HTML.

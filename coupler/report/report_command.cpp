@@ -49,7 +49,7 @@ void report_command(const ReportOptions& options) {
   for (const auto& run : runs)
     for (const auto& curve : run["references"])
       if (curve.contains("error"))
-        say("warning: reference curve left out from there on: {}\n", curve["error"].get<std::string>());
+        say("warning: reference curve left out from this line on: {}\n", curve["error"].get<std::string>());
   const fs::path out = place_of(options);
   const std::string text = page(page_document("report", std::move(runs)));
   replace_file(out, {text});

@@ -14,7 +14,7 @@ struct ReportOptions {
 };
 
 /// Writes the page, and says where. The one in a folder of results is replaced; a file that `out` names must
-/// not exist. Works while the run goes on, and after it was killed.
+/// not exist. Works during the run, and after it was killed.
 /// @throws Error, with all that is wrong, where there are no results, or the page exists or cannot be
 /// written.
 void report_command(const ReportOptions& options);

@@ -128,7 +128,7 @@ Json RunDocument::read(std::size_t first_frame) {
 Json page_document(const std::string& mode, Json runs) {
   for (const Json& run : runs)
     require(run["dimension"] == runs[0]["dimension"],
-            "{} has {} dimensions, {} has {}: they cannot lie on top of each other; make a page of each",
+            "{} has {} dimensions, {} has {}: they cannot be shown together; make one page for each",
             runs[0]["name"].get<std::string>(), runs[0]["dimension"].get<int>(),
             run["name"].get<std::string>(), run["dimension"].get<int>());
   return {{"made", fmt::format("{:%Y-%m-%d %H:%M UTC}", fmt::gmtime(std::time(nullptr)))},

@@ -1,4 +1,4 @@
-// What the page of a report gets to know of a run.
+// The data of a run for the page of a report.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +14,7 @@ struct DocumentOptions {
   double megabytes = 4;               ///< that frames of one run may take, about
 };
 
-/// A run as the page has it, read anew at each call: also of a run that goes on.
+/// A run as the page shows it, read anew at each call: also during a run.
 class RunDocument {
  public:
   /// @throws Error where there are no results, or they cannot be read.

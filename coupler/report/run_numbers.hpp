@@ -1,4 +1,4 @@
-// What a report says of a run in numbers and words.
+// The numbers of a run for a report.
 #pragma once
 
 #include <map>
@@ -50,7 +50,7 @@ nlohmann::ordered_json phases(const RunRecord& run);
 /// Whether the run can be relied on, in one line: {"level": "good", "doubt" or "bad", "text"}.
 nlohmann::ordered_json verdict(const RunRecord& run, const v1::Case& the_case);
 
-/// {"state": "finished", "interrupted", "failed" or "unfinished" (it goes on, or was killed), "reason",
+/// {"state": "finished", "interrupted", "failed" or "unfinished" (running, or killed), "reason",
 /// "time", "end", "windows", "wall_seconds"}.
 nlohmann::ordered_json status(const RunRecord& run, const v1::Case& the_case);
 

@@ -15,7 +15,7 @@ constexpr double bytes_a_quantity = 1.1;
 constexpr int water = 0, wall = 1, dummy = 2;     // kinds of the frames
 constexpr double fraction_of_spacing = 1.0 / 64;  // positions of water need not be finer
 
-/// Kinds of the fluid's particles at the start; a solver of one's own may have water only, and not say so.
+/// Kinds of the fluid's particles at the start; other solvers may have water only, without kinds.
 std::vector<float> kinds_of(const FrameSource& fluid) {
   return fluid.has("kind") ? fluid.read("kind", 0) : std::vector<float>(fluid.particles(), water);
 }

@@ -8,7 +8,7 @@
 
 namespace cosurge {
 
-/// What a report shows of the frames of a run, so that the page is as large as it may be.
+/// The displayed part of the frames of a run, within the size of the page.
 struct SceneChoice {
   std::vector<Cast> casts;         ///< fluid, solid
   std::size_t every_frame = 1;     ///< one frame in this many is shown

@@ -1,5 +1,5 @@
-// One line on whether a run can be relied on: what the run itself says at its end (coupler/conclusion.cpp),
-// from its results.
+// One line on the reliability of a run, from its results; the same warnings as
+// at the end of the run (coupler/conclusion.cpp).
 #include <fmt/ranges.h>
 
 #include <cmath>
@@ -47,7 +47,7 @@ void remark_on_end(const RunRecord& run, const v1::Case& the_case, Remarks& rema
   const std::string place = fmt::format("at t = {:.6g} of {:g} s", time, the_case.time().end());
   if (state == "failed") remarks.bad(fmt::format("failed {}: {}", place, reason));
   if (state == "interrupted") remarks.doubt(fmt::format("interrupted {}", place));
-  if (state.empty()) remarks.doubt(fmt::format("not at its end, {}: it goes on, or was killed", place));
+  if (state.empty()) remarks.doubt(fmt::format("not finished, {}: it is running, or was killed", place));
 }
 
 void remark_on_water(const RunRecord& run, const v1::Case& the_case, Remarks& remarks) {
@@ -67,9 +67,9 @@ void remark_on_coupling(const RunRecord& run, Remarks& remarks) {
     remarks.doubt(fmt::format("{:.0f} of {} windows did not converge", windows, run.rows()));
   const double created = run.last("coupling/work_created"), all = passed(run);
   if (created > InterfaceAccount::much * all)
-    remarks.bad(
-        fmt::format("the coupling scheme itself has put {:.2g} J into the system, where {:.2g} J have passed",
-                    created, all));
+    remarks.bad(fmt::format(
+        "the coupling created {:.2g} J of spurious energy ({:.3g} % of the work done, limit {:.0f} %)",
+        created, 100 * created / all, 100 * InterfaceAccount::much));
   constexpr double small = small_deflection;
   if (const double bent = run.most("solid/largest_deflection"); bent > small)
     remarks.bad(fmt::format("a body bends by {:.3g} % of its length; the model modal is valid up to {:.0f} %",
@@ -83,7 +83,7 @@ nlohmann::ordered_json verdict(const RunRecord& run, const v1::Case& the_case) {
   remark_on_end(run, the_case, remarks);
   remark_on_water(run, the_case, remarks);
   remark_on_coupling(run, remarks);
-  return remarks.verdict("finished; no water lost, and no warning of the coupling or of a model");
+  return remarks.verdict("finished; no water lost, no warnings from the coupling or a model");
 }
 
 }  // namespace cosurge

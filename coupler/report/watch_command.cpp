@@ -91,7 +91,7 @@ void answer(httplib::Response& response, const std::function<std::string()>& tex
   }
 }
 
-/// What is asked for below the secret word; anything else is not found.
+/// Answers requests below the secret word; all others are not found.
 void lay_out(httplib::Server& server, const std::string& word, WatchedRuns& runs) {
   server.Get("/" + word + "/", [&runs](const httplib::Request&, httplib::Response& response) {
     answer(
@@ -118,20 +118,20 @@ void lay_out(httplib::Server& server, const std::string& word, WatchedRuns& runs
 
 int watch_command(const WatchOptions& options) {
   WatchedRuns runs(options);
-  runs.whole_page();  // what is wrong with it is said here, not to a browser later
+  runs.whole_page();  // report errors now, not later in the browser
   const std::string word = secret();
   httplib::Server server;
   lay_out(server, word, runs);
   const int port = options.port > 0 ? options.port : server.bind_to_any_port(this_machine);
-  require(options.port > 0 ? server.bind_to_port(this_machine, port) : port > 0,
-          "--port {}: cannot be used on {}: another program has it, or it is below 1024; without --port any "
-          "free one is taken",
-          options.port, this_machine);
+  require(
+      options.port > 0 ? server.bind_to_port(this_machine, port) : port > 0,
+      "--port {}: cannot be used on {}: it is in use, or below 1024; without --port a free port is chosen",
+      options.port, this_machine);
   note_interruptions();
   std::thread serving([&] { server.listen_after_bind(); });
   while (!server.is_running())
     std::this_thread::sleep_for(std::chrono::milliseconds(1));  // else stop() is lost
-  say("watch: http://{}:{}/{}/\nopen it in a browser of this machine; Ctrl-C ends it, and not the run\n",
+  say("watch: http://{}:{}/{}/\nopen it in a browser on this machine; Ctrl-C stops the page, not the run\n",
       this_machine, port, word);
   while (!interrupted()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
   server.stop();

@@ -54,15 +54,16 @@ void Auto::choose(bool has_modes) {
       choice_ == weak_inertial && weak_inertial_.ratio().value() > alternating ? alternating_ + 1 : 0;
   if (choice_ == weak && gain > bearable_) {
     change_to(has_modes ? weak_inertial : strong,
-              fmt::format("an error of the velocity comes back {:.2f} times in a window; weak bears {:.2f}",
-                          gain, bearable_));
+              fmt::format("velocity-error gain {:.2f} exceeds {:.2f}, the limit of scheme `weak`", gain,
+                          bearable_));
   } else if (choice_ == weak_inertial && alternating_ >= loud_windows) {
-    change_to(strong, "the acceleration alternates in spite of the modes' added mass");
+    change_to(strong, "the acceleration alternates although the modes' added mass is included");
   } else if (creates_) {
     change_to(strong,
-              fmt::format("the coupling created more than {:.0f} % of the work that passed", 100 * much));
+              fmt::format("the coupling created more than {:.0f} % of the work done since the last check",
+                          100 * much));
   } else if (choice_ != weak && quiet_ >= quiet_windows) {
-    change_to(weak, fmt::format("an error of the velocity comes back {:.2f} times only", gain));
+    change_to(weak, fmt::format("velocity-error gain is only {:.2f}", gain));
   }
 }
 
@@ -73,7 +74,7 @@ void Auto::change_to(Choice choice, const std::string& why) {
   creates_ = marked_ = false;
   if (choice == weak_inertial) weak_inertial_.forget_ratio();
   constexpr std::array<const char*, 3> names = {"weak", "weak_inertial", "strong"};
-  effort_.note = fmt::format("{} from here: {}", names[choice], why);
+  effort_.note = fmt::format("coupling scheme changes to {}: {}", names[choice], why);
 }
 
 void Auto::save(StateWriter& state) const {

@@ -1,4 +1,4 @@
-// What the schemes that take the structure's added mass along have in common.
+// Common code of the schemes with the structure's added mass.
 #pragma once
 
 #include "coupler/scheme.hpp"

@@ -5,11 +5,11 @@
 
 namespace cosurge {
 
-/// First the solid goes through the window under the last load, and tells its lowest modes; the fluid finds
-/// the pressure of that motion, and with the same matrix the pressure of each mode, and so the load that
-/// agrees with what the modes will answer (docs/method.md, eq. 20); then the solid goes through the window
-/// again under that load. One step of the fluid a window, no iteration, and stable for any added mass of the
-/// modes that are taken along; of the others as `weak`.
+/// First the solid computes the window under the last load, and gives its lowest modes; the fluid finds
+/// the pressure of that motion, and with the same matrix the pressure of each mode, and so the load that is
+/// consistent with the response of the modes (docs/method.md, eq. 20). Then the solid computes the window
+/// again under that load. One step of the fluid per window, no iteration, and stable for any added mass of
+/// the included modes; the others are coupled as with `weak`.
 class WeakInertial : public Scheme {
  public:
   explicit WeakInertial(Participants participants) : participants_(participants) {}

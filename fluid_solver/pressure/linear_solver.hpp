@@ -1,4 +1,4 @@
-// What the step asks of a solver of the pressure equation.
+// Interface of a solver for the pressure equation.
 #pragma once
 
 #include <memory>

@@ -13,8 +13,8 @@ namespace cosurge::fluid {
 /// Two points of bodies do not count for each other. `velocity` [m/s] is that of each particle;
 /// `kick` is added to the velocity of walls and bodies.
 ///
-/// The row of a point of a wall or body sees water on one side only, and has `face_factor` times what it
-/// sees: then the momentum that a plane wall gives to the water by a sudden motion is exact (10c).
+/// The row of a point of a wall or body has water on one side only; its sum is multiplied by `face_factor`;
+/// then the momentum that a plane wall gives to the water by a sudden motion is exact (10c).
 template <int dim>
 double parting_at_faces(const Particles<dim>& particles, const std::vector<Vec<dim>>& velocity,
                         const CellGrid<dim>& grid, int i, double re, double face_factor,

@@ -303,7 +303,7 @@ void PoissonEquation<dim>::hide_behind_bodies(const Assembly& assembly, int firs
   }
 }
 
-/// Ties the row to P = 0 by what is missing around its particle.
+/// Adds a weight towards P = 0 for the missing neighbours of the particle.
 template <int dim>
 void PoissonEquation<dim>::open_to_air(double lack, Row& row) const {
   const double weight = open_surface_.weight(lack);

@@ -16,14 +16,14 @@ struct PoissonParameters {
   double compressibility;  ///< alpha [1/Pa]
   Vec<dim> gravity;        ///< [m/s2]
   /// Whether the free surface is what OpenSurface makes of missing water; else P = 0 at particles flagged as
-  /// free surface, as the paper has it. Flagged are then only particles without pressure: lone drops, and
+  /// free surface, as in Amaro & Cheng. Flagged are then only particles without pressure: lone drops, and
   /// walls without water beside them.
   bool open_surface = false;
 };
 
 /// Eq. (11): (2 d / (lambda0 n0)) sum (P_j - P_i) w - alpha rho / tau^2 P_i = S_i for every particle with a
 /// pressure that is not flagged as free surface. Times -lambda0 n0 / (2 d) it is a symmetric M-matrix.
-/// Dummies and inner points of bodies stand for P_j = P_i + rho g . x_ij: the Neumann condition of a wall at
+/// Dummies and inner points of bodies represent P_j = P_i + rho g . x_ij: the Neumann condition of a wall at
 /// rest. So do pairs that see each other through a body.
 template <int dim>
 class PoissonEquation {
@@ -69,7 +69,7 @@ class PoissonEquation {
   /// A vector for each unknown, coordinate by coordinate, and room for whole lanes.
   using Lines = std::array<std::vector<double>, dim>;
 
-  /// What the rows of one assembly share.
+  /// Data shared by the rows of one assembly.
   struct Assembly {
     const Particles<dim>& particles;
     const CellGrid<dim>& grid;
@@ -77,7 +77,7 @@ class PoissonEquation {
     int reach;  ///< cells to each side that a row looks at
   };
 
-  /// What an unknown has within the radius, beside water: a bit each.
+  /// Kinds of particles within the radius of an unknown, beside water: one bit each.
   enum Sight : std::uint8_t { walls = 1, bodies = 2, surface = 4 };
 
   /// A row while it is filled.

@@ -1,19 +1,19 @@
-// Source terms of the pressure equation: what the pressure has to mend.
+// Source terms of the pressure equation.
 #pragma once
 
 namespace cosurge::fluid {
 
-/// What is known of a particle when its source term is asked for.
+/// Input of the source term of one particle.
 struct SourceInput {
   double density;             ///< fluid density rho [kg/m3]
   double dt;                  ///< [s]
   double deviation;           ///< (n - n0) / n0 of the predicted positions [-]
   double divergence = 0;      ///< divergence of the predicted velocities [1/s]
-  double per_divergence = 0;  ///< what the source changes by with it [kg/(m3 s)]
+  double per_divergence = 0;  ///< change of the source per divergence [kg/(m3 s)]
 };
 
-/// Eq. (6a), the paper's: S = -gamma rho / dt^2 (n* - n0) / n0 (Koshizuka & Oka 1996). An undamped spring on
-/// the density with the period 2 pi dt / sqrt(gamma): noise grows as dt shrinks.
+/// Eq. (6a), as Amaro & Cheng: S = -gamma rho / dt^2 (n* - n0) / n0 (Koshizuka & Oka 1996). An undamped
+/// spring on the density with the period 2 pi dt / sqrt(gamma): noise grows as dt shrinks.
 inline double deviation_source(const SourceInput& in, double gamma) {
   return -gamma * in.density / (in.dt * in.dt) * in.deviation;
 }
@@ -25,7 +25,7 @@ inline double mixed_source(const SourceInput& in, double gamma) {
   return in.per_divergence * in.divergence + deviation_source(in, gamma);
 }
 
-/// How fast the source `time_scale` mends what the pressure has to mend [1/s].
+/// Rates of correction with the source `time_scale` [1/s].
 struct Rates {
   double divergence;  ///< k_u, at most 1 / dt
   double density;     ///< k_n, at most k_u

@@ -1,4 +1,4 @@
-"""What is done to a run."""
+"""Disturbances of a run."""
 import errno
 import random
 import signal
@@ -21,7 +21,7 @@ class Signal:
 
 
 class Solver:
-    """A signal to a solver; then, where it is frozen by that, perhaps one to cosurge."""
+    """A signal to a solver; if it freezes the solver, possibly another one to cosurge."""
 
     def __init__(self, number, then=None):
         self.number, self.then = number, then
@@ -39,7 +39,7 @@ class Solver:
 
 
 class Frozen:
-    """Cosurge is stopped for some seconds, and then killed or let go on."""
+    """Cosurge is suspended for some seconds, and then killed or continued."""
 
     def __init__(self, then):
         self.then = then
@@ -54,7 +54,7 @@ class Frozen:
 
 
 class Everything:
-    """All processes are killed, as by a machine that fails."""
+    """All processes are killed, as by a failing machine."""
 
     name = "SIGKILL to all"
     settings = {}

@@ -1,4 +1,4 @@
-"""A run of cosurge with all processes that belong to it, and nothing of it left behind."""
+"""A run of cosurge with all of its processes, and a check that none remain."""
 import os
 import signal
 import subprocess
@@ -9,7 +9,7 @@ MARK = "COSURGE_ATTACK"  # an environment variable, by which descendants are kno
 
 
 class Program:
-    """`arguments` of cosurge; `temporary`: its folder for temporary files; `settings`: of the environment."""
+    """`arguments`: of the command cosurge; `temporary`: folder for temporary files; `settings`: environment variables."""
 
     def __init__(self, cosurge, arguments, log, mark, temporary, settings=None):
         self.mark = f"{MARK}={mark}\0".encode()
@@ -49,7 +49,7 @@ class Program:
             return None
 
     def left_behind(self, seconds):
-        """Names of processes that still live so long after the end of cosurge."""
+        """Names of processes that are still running a given time after the end of cosurge."""
         end = time.monotonic() + seconds
         while (left := self.members()) and time.monotonic() < end:
             time.sleep(0.02)

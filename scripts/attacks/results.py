@@ -1,4 +1,4 @@
-"""What results hold, and whether it is what an undisturbed run has, bit for bit."""
+"""Content of results, and whether it is bit-identical to an undisturbed run."""
 import json
 
 import h5py
@@ -22,7 +22,7 @@ def _same(a, b):
 
 
 def differences_of_part(part, whole):
-    """Of results that end early: what they have must be right."""
+    """Checks results that end early: their content must be right."""
     wrong = [f"{name}: not in the undisturbed run" for name in part if name not in whole]
     for name in part:
         expected = whole.get(name)
@@ -40,7 +40,7 @@ def differences(part, whole):
 
 
 def summary(folder):
-    """Without what depends on the clock."""
+    """Without values that depend on the clock."""
     found = json.loads((folder / "summary.json").read_text())
     for key in ("wall_seconds", "exchange_seconds"):
         found.pop(key, None)

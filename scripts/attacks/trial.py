@@ -9,11 +9,11 @@ PATIENCE = 10  # s until a disturbed run has ended, with all its processes
 
 
 class Wrong(Exception):
-    """What a run must not do."""
+    """A failure of a trial."""
 
 
 class Reference:
-    """The undisturbed run of a case: what it records, its seconds, its writes to files."""
+    """The undisturbed run of a case: its results, its duration, its writes to files."""
 
     def __init__(self, name, attack):
         folder = attack.folder / "reference" / name
@@ -46,7 +46,7 @@ class Trial:
         self.frames = 0
 
     def run(self):
-        """None where all is well, else what is not, and what had been done."""
+        """None if the trial passed; otherwise the failure and the disturbances."""
         self.temporary.mkdir(parents=True)
         try:
             for _ in range(self.chance.choice([1, 1, 2, 3])):
@@ -74,7 +74,7 @@ class Trial:
         return Program(self.attack.cosurge, arguments, log, f"{self.number}.{len(self.story)}", self.temporary, settings)
 
     def _disturbed(self):
-        """Starts or resumes the run, and disturbs it. True where it had finished before."""
+        """Starts or resumes the run, and disturbs it. True if it had finished before."""
         disturbance = disturbances.choose(self.chance, self.in_process, self.attack.library,
                                           f"trial-{self.number}/run", self.reference.writes)
         moment = self.chance.uniform(0, 1.1 * self.reference.seconds)
@@ -109,7 +109,7 @@ class Trial:
 
     @staticmethod
     def _died_before_words(code):
-        """Of a signal that came before cosurge was ready to note it: nothing has been written then."""
+        """Whether a signal came before cosurge could handle it: then nothing has been written."""
         return code in (-1, -2, -15)
 
     def _look_at_part(self):
@@ -125,7 +125,7 @@ class Trial:
         self.frames = frames
 
     def _finished(self):
-        """The run goes on without a disturbance, to the same bits."""
+        """Continues the run without a disturbance; the results must be bit-identical."""
         program = self._start()
         try:
             code = program.wait(PATIENCE + 20 * self.reference.seconds)

@@ -1,4 +1,4 @@
-"""What a run has recorded, from its results.h5, and the folder of its case."""
+"""The recorded data of a run, from its results.h5, and the folder of its case."""
 import json
 import sys
 import time
@@ -13,7 +13,7 @@ ROOT = Path(__file__).resolve().parent.parent.parent
 
 
 class Run:
-    """What has been recorded so far."""
+    """The data recorded so far."""
 
     def __init__(self, folder):
         with h5py.File(folder / "results.h5", "r") as file:

@@ -4,7 +4,7 @@ import numpy as np
 from plots.style import plt
 
 HIGHEST = 1.2  # height over width of a snapshot
-WALL_KINDS = (1, 2)  # of the fluid's particles: wall, dummy; 0 is water
+WALL_KINDS = (1, 2)  # kinds of fluid particles: wall, dummy; 0 is water
 SOLID_COLOR, WALL_COLOR = "#e8743b", "#b8bcc2"
 
 
@@ -31,7 +31,7 @@ def slice_of(run, particles, spacing):
 
 
 def dots(axes, points, spacing, overlap=1.3, **style):
-    """Particles as discs a little wider than they are apart."""
+    """Particles as discs slightly larger than their spacing."""
     scale = axes.transData.transform([(0, 0), (1, 0)])
     points_per_metre = (scale[1, 0] - scale[0, 0]) * 72 / axes.figure.dpi
     area = (overlap * spacing * points_per_metre) ** 2
@@ -39,7 +39,7 @@ def dots(axes, points, spacing, overlap=1.3, **style):
 
 
 def view_of(run, spacing):
-    """Limits that hold all but a few drops, and no walls above the water."""
+    """Limits of the picture, without a few drops and the walls above the water."""
     low, high = [], []
     for frame in run.frames:
         for group in ("fluid", "solid"):

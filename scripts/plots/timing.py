@@ -1,4 +1,4 @@
-"""Where the wall time of a run went."""
+"""Wall time of a run by phase."""
 import numpy as np
 
 from plots.style import plt

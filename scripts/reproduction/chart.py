@@ -6,9 +6,9 @@ import runs
 import tables
 from figures import plt
 
-TEXTS, DIGITS = ("scene", "setting"), 4  # of chart.csv
+TEXTS, DIGITS = ("scene", "setting"), 4  # columns of chart.csv
 MEASURES = {"tip_peak_m": "tip, largest", "tip_rms": "tip, history", "P01_peak": "P01, filtered peak",
-            "P02_peak": "P02, filtered peak", "P01_impulse_first": "P01, impulse of the blow"}
+            "P02_peak": "P02, filtered peak", "P01_impulse_first": "P01, impulse of the impact"}
 
 
 def tip_rms(history, truth):
@@ -41,7 +41,7 @@ def points(numbers, scene):
 
 
 def pareto(rows, key):
-    """Those that nothing cheaper beats."""
+    """Settings that no cheaper one exceeds in accuracy."""
     best, front = np.inf, []
     for row in rows:
         if row[key] < best:
@@ -84,12 +84,12 @@ def draw(rows, numbers, scene, truth):
     grid[-1, -1].axis("off")
     grid[-1, -1].legend(*axes.get_legend_handles_labels(), loc="center", fontsize=11)
     figure.suptitle(f"{scene}: error against {truth.replace('_', ' ')}, over cost; bars: scatter between perturbed "
-                    "starts; line and black edges: nothing cheaper is nearer")
+                    "starts; line and black edges: no cheaper setting has a smaller error")
     return figure
 
 
 def fronts(rows):
-    """What lies on the line of each measure, the cheapest first."""
+    """The settings on the line of each measure, the cheapest first."""
     lines = []
     for key, title in MEASURES.items():
         steps = [f"{row['setting'].replace('_', ' ')} ({row['core_s']:.0f} s, {100 * row[key]:.1f} %)"
@@ -118,7 +118,7 @@ def write(numbers, out):
             continue
         all_rows += rows
         parts += [f"![speed and accuracy, {scene}](chart_{scene}.png)\n",
-                  f"{scene}: what nothing cheaper is nearer than, core seconds and error\n", fronts(rows)]
+                  f"{scene}: settings that no cheaper one exceeds in accuracy, core seconds and error\n", fronts(rows)]
     if not parts:
         return ""
     tables.write(out / "chart.csv", "scripts/reproduce chart scatter verification", all_rows, TEXTS, DIGITS)

@@ -11,7 +11,7 @@ PRESSURE = DENSITY * GRAVITY * HEIGHT  # Pa, Cp = 1
 RATE = np.sqrt(GRAVITY / HEIGHT)  # 1/s, tau = 1
 SPEED = np.sqrt(GRAVITY * HEIGHT)  # m/s, Cv = 1
 FILTERS = [(cut_off, order) for cut_off in (50, 70, 100) for order in (2, 4, 8)]  # whose peaks are compared
-STEP = 2e-5  # s, of the even series that the filter gets: the paper's window
+STEP = 2e-5  # [s] step of the resampled series for the filter, as in the paper
 SECOND_PEAK = (4.5, 7.0)  # tau: the upward water falls back
 LATE = (7.0, 11.59)  # tau: after it
 BLOW = 2.3  # tau: until here the first blow's impulse

@@ -1,4 +1,4 @@
-"""What the paper leaves open or misprints, settled by runs."""
+"""Open points and misprints of the paper, resolved by runs."""
 import math
 
 import h5py
@@ -7,13 +7,13 @@ import numpy as np
 import measures
 import runs
 
-LENGTH = 0.080  # m: of the plate
+LENGTH = 0.080  # length of the plate [m]
 
 
 def substeps(rows):
-    """Whether the explicit solid survives 4000 steps of each size."""
+    """Stability of the explicit solid over 4000 steps of each size."""
     lines = ["| E | 1e-6 s | 5e-7 s | 5e-8 s |", "| --- | --- | --- | --- |"]
-    words = {"finished": "runs", "failed": "above its stable step"}
+    words = {"finished": "stable", "failed": "above its stable step"}
     for label, modulus in runs.STIFFNESS.items():
         if modulus:
             names = [runs.substep_name(modulus, substep) for substep in (1e-6, 5e-7, 5e-8)]
@@ -50,20 +50,20 @@ def normals(folder, case, time=0.23):
 
 def write(rows):
     """Part of the page; `rows`: the numbers by the name of the run."""
-    parts = ["## What the paper left open\n"]
+    parts = ["## Open points of the paper\n"]
     if runs.substep_name(2e10, 1e-6) in rows:
-        parts += ["Which sub-step went with which stiffness: a plate of `mps` on 1 mm, 4000 sub-steps.\n",
+        parts += ["The sub-step for each stiffness: a plate of `mps` on 1 mm, 4000 sub-steps.\n",
                   substeps(rows)]
     tips = {name: 1000 * measures.THICKNESS * rows[f"open_{name}"]["tip_over_thickness"]
             for name in ("area", "volume") if f"open_{name}" in rows}
     if len(tips) == 2:
-        parts.append(f"Equation (1) with l0^(d-1), an area, bends the tip by {tips['area']:.1f} mm (1 MPa, 4 mm); with "
-                     f"l0^d as printed, {tips['volume']:.2f} mm.\n")
+        parts.append(f"Equation (1) with l0^(d-1), an area, gives a tip displacement of {tips['area']:.1f} mm (1 MPa, 4 mm); "
+                     f"with l0^d as printed, {tips['volume']:.2f} mm.\n")
     for name in ("verification_paper_1mm", "verification_recommended_2mm"):
         if name in rows and not math.isnan(rows[name].get("normal_off_deg", math.nan)):
             row = rows[name]
-            parts.append(f"Equation (2): at 0.23 s, along the wet face of `{name}`, the normal by F^-T n is off the "
-                         f"true one by {row['normal_off_deg']:.1f} degrees at most, by F^T n as printed by "
+            parts.append(f"Equation (2): at 0.23 s, along the wet face of `{name}`, the largest error of the "
+                         f"normal by F^-T n is {row['normal_off_deg']:.1f} degrees, by F^T n as printed "
                          f"{row['printed_normal_off_deg']:.0f} degrees.\n")
             break
     return "\n".join(parts)

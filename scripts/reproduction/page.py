@@ -1,4 +1,4 @@
-"""docs/reproduction: every number beside the paper's, the pictures, and what each run cost."""
+"""docs/reproduction: every number compared with the paper's, the pictures, and the cost of each run."""
 import math
 import sys
 
@@ -45,7 +45,7 @@ def verification(numbers):
                  for name in names.values()]
         rows.append([what, band(limits), *cells])
     for key, what in (("front_s", "front at the plate [s]"), ("first_motion_s", "first motion of the tip [s]"),
-                      ("created_over_work", "work made by the coupling, over the work done"),
+                      ("created_over_work", "energy created by the coupling, relative to the work done"),
                       ("core_s", "core seconds")):
         rows.append([what, "", *[number(numbers.rows[name][key]) for name in names.values()]])
     return table(["", "paper", *names], rows)
@@ -84,7 +84,7 @@ def stiffness(rows):
         lines.append([what, band(elastic) + (f"; rigid {number(rigid)}" if rigid else ""), *cells])
     theirs = {"tip_over_thickness": "0.35 at 20 MPa", "P01_second_peak_tau": "5.5"}
     for key, what in (("P01_second_peak_tau", "P01, second peak at tau"), ("P01_raw_peak", "P01, raw peak"),
-                      ("P02_raw_peak", "P02, raw peak"), ("P01_noise", "P01, noise above 70 Hz over the peak"),
+                      ("P02_raw_peak", "P02, raw peak"), ("P01_noise", "P01, noise above 70 Hz, relative to the peak"),
                       ("tip_over_thickness", "largest tip / e"), ("core_s", "core seconds")):
         lines.append([what, theirs.get(key, ""), *[number(rows[label][key]) for label in labels]])
     return table(["", "paper", *labels], lines)
@@ -103,7 +103,7 @@ def differences(rows):
 BLOW = ("P01_peak", "P02_peak", "P01_raw_peak", "P01_impulse_first", "tip_peak_m")
 FALL = ("P01_second_peak", "P01_second_peak_tau", "P02_second_peak")
 SCATTER = {"recommended": ("recommended, 2 mm", BLOW), "recommended_1mm": ("recommended, 1 mm", BLOW),
-           "paper": ("the paper's, 2 mm", BLOW), "late": ("recommended, 2 mm", FALL),
+           "paper": ("the paper's settings, 2 mm", BLOW), "late": ("recommended, 2 mm", FALL),
            "lid": ("recommended, 2 mm, a lid at 1.5 H", FALL)}
 
 
@@ -123,7 +123,7 @@ def scatter(numbers):
 
 
 def costs(numbers):
-    """Processor time of the verification case and Table 2, and how long they take, one run on each of two cores."""
+    """Processor time of the verification case and Table 2, and their duration with one run on each of two cores."""
     lines = []
     for settings, spacing in FAMILIES:
         names = [f"verification_{settings}_{spacing}"]
@@ -134,12 +134,12 @@ def costs(numbers):
             lines.append([LABELS[settings], spacing, f"{len(spent)} of {len(names)}",
                           f"{min(spent) / 60:.1f} to {max(spent) / 60:.1f}", number(sum(spent) / 3600),
                           number(sum(spent) / 3600 / 2)])
-    return table(["settings", "spacing", "runs that are there", "core minutes of one", "core hours of all",
+    return table(["settings", "spacing", "finished runs", "core minutes per run", "core hours of all",
                   "hours on two cores"], lines)
 
 
 def filters(row):
-    """The peak at P01 by the filter that was taken."""
+    """The peak at P01 for each filter."""
     lines = [["none", number(row["P01_raw_peak"])]]
     for cut_off, order in measures.FILTERS:
         peak = row[f"P01_peak_{cut_off}Hz_{order}"]
@@ -155,13 +155,13 @@ def finite_width(numbers, pictures):
     row = numbers.rows[name]
     return ("## Three dimensions: a plate of finite width\n\n"
             f"`cases/dam_break_plate_3d`, 8 mm, {row['particles']:.0f} particles of water and walls: the middle slice. "
-            f"The tip goes to {1000 * row['tip_peak_m']:.1f} mm at {row['tip_peak_s']:.3f} s; {row['core_s']:.0f} core "
+            f"The largest displacement of the tip is {1000 * row['tip_peak_m']:.1f} mm at {row['tip_peak_s']:.3f} s; {row['core_s']:.0f} core "
             "seconds.\n\n" + pictures.draw(name, {name: name}, lambda histories: snapshots.snapshots(
                 recorded.read_run(histories[name].folder))))
 
 
 def swapped(numbers, pictures):
-    """Part of the page: the same scene with each model of the structure, by one word."""
+    """Part of the page: the same scene with each structural model."""
     names = {"fem": "recommended_2mm", "modal": "modal", "hamiltonian": "hamiltonian", "mps": "mps"}
     names = {model: f"chart_20MPa_{name}" for model, name in names.items() if f"chart_20MPa_{name}" in numbers.rows}
     if len(names) < 2:
@@ -172,13 +172,13 @@ def swapped(numbers, pictures):
         row = numbers.rows[name]
         lines.append([model, f"{1000 * row['tip_peak_m']:.2f}", number(row["tip_peak_s"], 4),
                       f"{100 * (row['tip_peak_m'] / reference - 1):+.1f} %", number(row["solid_core_s"])])
-    header = ["model", "largest tip [mm]", "at [s]", f"off {next(iter(names))}", "core seconds of the solid"]
-    return ("## Another structure by one word\n\n20 MPa, 2 mm, `--set solid.model=...`.\n\n" + table(header, lines) +
+    header = ["model", "largest tip [mm]", "at [s]", f"relative to {next(iter(names))}", "core seconds of the solid"]
+    return ("## Other structural models\n\n20 MPa, 2 mm, `--set solid.model=...`.\n\n" + table(header, lines) +
             "\n" + pictures.draw("swapped", names, figures.swapped))
 
 
 class Pictures:
-    """PNGs in `out`. One that needs histories of runs that are not all at hand stays as it is."""
+    """PNGs in `out`. A picture is kept if some of its runs are not available."""
 
     def __init__(self, out, histories):
         self.out = out
@@ -249,10 +249,11 @@ def write(study, out):
     pictures = Pictures(out, numbers.histories)
     shown = draw(pictures, numbers, found)
     take = lambda *names: "\n".join(shown[name] for name in names if shown.get(name))
-    parts = ["# The published study, reproduced\n",
-             "Written by `scripts/reproduce`; all numbers in [numbers.csv](numbers.csv), what they say in "
-             "[findings.md](findings.md). Filter: Butterworth of 4th order, 70 Hz, forward and backward (no delay). "
-             "In brackets: how far from the paper's number or range.\n",
+    parts = ["# Reproduction of the published study\n",
+             "Written by `scripts/reproduce`; all numbers are in [numbers.csv](numbers.csv), conclusions in "
+             "[findings.md](findings.md). \"Paper\" is Amaro & Cheng ([bibliography](../bibliography.md)). Filter: "
+             "Butterworth of 4th order, 70 Hz, forward and backward (no delay). In brackets: deviation from the paper's "
+             "number or range.\n",
              "## Verification case (Table 1, Figs. 2 and 3)\n", verification(numbers),
              take("tip", "tip_public_code", "snapshots_paper", "snapshots_recommended"),
              "## Convergence of the first peak\n", convergence(found), take("convergence")]
@@ -265,11 +266,11 @@ def write(study, out):
                   take(*(f"{name}_{tag}" for name in ("spectrum_20MPa", "spectrum_rigid", "P01", "P02", "impulses",
                                                       "tips", "speeds")))]
         if "20MPa" in rows:
-            parts += ["The peak at P01 at 20 MPa by the filter:\n",
+            parts += ["Peak at P01 at 20 MPa with different filters:\n",
                       filters(rows["20MPa"])]
-    parts += ["## Cost\n", "To two seconds each; every run's own time is in numbers.csv.\n", costs(numbers),
+    parts += ["## Cost\n", "Runs to two seconds; numbers.csv has the time of each run.\n", costs(numbers),
               "## Scatter of the peaks\n",
-              "Starts that differ by ten-thousandths of gravity, sideways: mean and standard deviation.\n",
+              "Starts with a lateral acceleration of ten-thousandths of gravity: mean and standard deviation.\n",
               scatter(numbers), open_points.write(numbers.rows), swapped(numbers, pictures),
               finite_width(numbers, pictures), chart.write(numbers, out)]
     (out / "README.md").write_text("\n".join(part for part in parts if part))

@@ -1,13 +1,13 @@
-"""The paper's own numbers, and the judgement of ours."""
+"""Numbers of the paper (Amaro & Cheng), and the deviation of Cosurge from them."""
 
-# name, what, the paper's range (or number), where it stands
+# name, description, the paper's range (or number), source
 VERIFICATION = [
     ("tip_peak_m", "largest displacement of the tip [m]", (0.039, 0.039), "section 3.1"),
     ("tip_peak_s", "when [s]", (0.21, 0.27), "published band"),
     ("tip_mean_0.4_to_0.6_m", "tip from 0.4 to 0.6 s [m]", (0.015, 0.015), "section 3.1"),
-    ("tip_rms_after_1.5_m", "swing about its mean after 1.5 s [m]", (0.0, 0.002), "\"equilibrium after 1.5 s\""),
+    ("tip_rms_after_1.5_m", "rms deviation from its mean after 1.5 s [m]", (0.0, 0.002), "\"equilibrium after 1.5 s\""),
 ]
-# name, what, range over the elastic plates, rigid plate
+# name, description, range over the elastic plates, rigid plate
 STIFFNESS = [
     ("P01_peak", "P01, filtered peak", (1.45, 1.63), 1.67),
     ("P02_peak", "P02, filtered peak", (1.30, 1.42), 1.57),
@@ -18,7 +18,7 @@ STIFFNESS = [
     ("P01_impulse", "P01, impulse C_I", (3.78, 3.80), 3.88),
     ("P02_impulse", "P02, impulse C_I", (2.49, 2.56), 2.58),
 ]
-# name, what, relative difference R of eq. (7) between all six plates
+# name, description, relative difference R of eq. (7) between all six plates
 DIFFERENCES = [("P01_peak", "peaks at P01", 0.1517), ("P02_peak", "peaks at P02", 0.2077),
                ("P01_impulse", "impulses at P01", 0.0265), ("P02_impulse", "impulses at P02", 0.0361)]
 TOLERANCE = 0.10

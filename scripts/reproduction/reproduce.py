@@ -15,7 +15,7 @@ from study import ROOT, Study
 
 
 def page_is_current(out):
-    """Whether the page says what its numbers, and the scripts, say; names the files that do not."""
+    """Whether the page is up to date with its numbers and the scripts; prints the files that are not."""
     with tempfile.TemporaryDirectory() as folder:
         fresh = Path(folder) / "page"
         shutil.copytree(out, fresh)
@@ -23,21 +23,21 @@ def page_is_current(out):
         stale = [name for name in ("README.md", "numbers.csv", "chart.csv")
                  if (fresh / name).read_text() != (out / name).read_text()]
     for name in stale:
-        print(f"{out / name}: not as scripts/reproduce --page writes it")
+        print(f"{out / name}: out of date; run scripts/reproduce --page")
     return not stale
 
 
 def main():
-    parser = argparse.ArgumentParser(prog="scripts/reproduce", description="The published study, run and compared.")
+    parser = argparse.ArgumentParser(prog="scripts/reproduce", description="Run the published study and compare the results.")
     parser.add_argument("groups", nargs="*", choices=[*runs.GROUPS, []], metavar="GROUP",
                         help=f"of {', '.join(runs.GROUPS)}; default: all but the last, in this order")
-    parser.add_argument("--list", action="store_true", help="what would run, and what is there")
-    parser.add_argument("--page", action="store_true", help="only the page, from the runs that are there")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="runs at a time, one thread each")
-    parser.add_argument("--runs", type=Path, default=ROOT / "build/reproduction", help="where the runs lie")
-    parser.add_argument("--out", type=Path, default=ROOT / "docs/reproduction", help="where the page goes")
-    parser.add_argument("--guard", action="store_true", help="run the reduced study alone, and check its numbers")
-    parser.add_argument("--check", action="store_true", help="whether the page is as its numbers make it")
+    parser.add_argument("--list", action="store_true", help="list the runs and their states")
+    parser.add_argument("--page", action="store_true", help="only write the page, from the available runs")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="number of simultaneous runs, one thread each")
+    parser.add_argument("--runs", type=Path, default=ROOT / "build/reproduction", help="folder of the runs")
+    parser.add_argument("--out", type=Path, default=ROOT / "docs/reproduction", help="folder of the page")
+    parser.add_argument("--guard", action="store_true", help="run only the reduced study, and check its numbers")
+    parser.add_argument("--check", action="store_true", help="check that the page is up to date with its numbers")
     options = parser.parse_args()
     if options.check:
         sys.exit(not page_is_current(options.out))

@@ -82,7 +82,7 @@ def finite_width():
     yield Run("finite_width", "dam_break_plate_3d", {})
 
 
-SCENES = {"1MPa": {}, "20MPa": plate(2e7)}  # of the chart
+SCENES = {"1MPa": {}, "20MPa": plate(2e7)}  # scenes of the chart
 CHART_END = 0.4  # s: first blow and answer
 VARIANTS = {  # by label: settings in place of the recommended ones
     "deviation, p_min": {"fluid.source": "deviation", "fluid.gradient": "p_min"},

@@ -19,7 +19,7 @@ constexpr double resolved = 0.5;
 constexpr double beside_springs = 0.9;
 constexpr double fall = 0.03;          // longest way in a sub-step at the fall speed [spacings]
 constexpr double windows_share = 0.1;  // longest sub-step, as a share of the longest window
-constexpr double foresight = 3;        // times the way of the last velocity: what a window may bring
+constexpr double foresight = 3;        // search distance [way in a window at the last velocity]
 constexpr double rounding = 1e-9;      // smallest depth of a contact [reach]
 constexpr double deepest = 0.5;        // largest depth of a contact [reach]; deeper, the facets are not found
 constexpr double whole = 1e-6;         // [sub-steps] tolerance: a window of 20.0000001 sub-steps has 20
@@ -204,12 +204,12 @@ void ContactModel<dim>::check_depth(const Touches& touches, double t) const {
   const double most = deepest * neighborhood_.reach();
   for (const Touch<dim>& touch : touches)
     if (-touch.gap > most)
-      throw NumericalError(fmt::format(
-          "solid: solid.body.{} is pressed {:.3g} m into {} at t = {:.6g} s, near ({:.4g}) m; the springs of "
-          "contact hold up to {:.3g} m. Its load or its speed is too large for them: a shorter time.window "
-          "makes them stiffer",
-          touch.body, -touch.gap, neighborhood_.name(touch.other), t,
-          fmt::join(touch.place.begin(), touch.place.end(), ", "), most));
+      throw NumericalError(
+          fmt::format("solid: solid.body.{} is pressed {:.3g} m into {} at t = {:.6g} s, near ({:.4g}) m; "
+                      "the limit of the contact springs is {:.3g} m. The load or the speed of the body is "
+                      "too large: lower time.window, which makes the springs stiffer",
+                      touch.body, -touch.gap, neighborhood_.name(touch.other), t,
+                      fmt::join(touch.place.begin(), touch.place.end(), ", "), most));
 }
 
 template <int dim>

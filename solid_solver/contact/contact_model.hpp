@@ -10,9 +10,9 @@ namespace cosurge::contact {
 
 /// Any model, with frictionless contact around it (docs/method_solid.md, section 12). Vertices of the bodies'
 /// boundaries that are beyond a facet or a wall are pressed back by springs on their area, with energies k
-/// g^2 / 2. While anything touches or may do so in the window, the window is gone through in sub-steps; the
-/// springs' forces are held in each. Where nothing is near, the model goes through the window as it would
-/// alone, to the same bits.
+/// g^2 / 2. While anything touches or can touch in the window, the window is computed in sub-steps with
+/// constant forces of the springs. If nothing is near, the model computes the window as without contact, with
+/// bit-identical results.
 template <int dim>
 class ContactModel : public WrappedModel {
  public:

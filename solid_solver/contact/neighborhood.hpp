@@ -1,4 +1,4 @@
-// What bodies can touch, and where they are near it.
+// Objects that bodies can touch, and where they are near them.
 #pragma once
 
 #include <map>
@@ -27,14 +27,14 @@ class Neighborhood {
   /// Vertices of all bodies, body after body, undeformed [m].
   const Field& vertices() const { return reference_; }
   const std::vector<int>& body() const { return body_; }     ///< body of each vertex
-  const std::vector<double>& area() const { return area_; }  ///< that each vertex stands for [m^(dim-1)]
+  const std::vector<double>& area() const { return area_; }  ///< area of each vertex [m^(dim-1)]
 
   /// Which vertices their bodies hold: they press on nothing. None, unless it is called.
   void hold(std::vector<char> held) { held_ = std::move(held); }
 
   bool held(Eigen::Index vertex) const { return held_[static_cast<std::size_t>(vertex)] != 0; }
 
-  /// What is farther from each other does not touch [m]: also the largest depth at which contact is found.
+  /// Objects farther from each other do not touch [m]: also the largest depth at which contact is found.
   double reach() const { return reach_; }
 
   /// All places with a gap below the reach, in an order that only the positions tell.

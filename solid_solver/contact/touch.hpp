@@ -14,13 +14,13 @@ struct Touch {
   static constexpr int most = dim + 1;
 
   int body;                      ///< the first body of the two, or the only one
-  int other;                     ///< what it touches, see Neighborhood::name
-  double gap;                    ///< less what it was at the start where that is negative [m]
+  int other;                     ///< the other object, see Neighborhood::name
+  double gap;                    ///< relative to the initial gap if that is negative [m]
   Vec<dim> normal;               ///< unit normal
   Vec<dim> place;                ///< position of the vertex [m]
-  double area;                   ///< that the vertex stands for [m^(dim-1)]
+  double area;                   ///< area of the vertex [m^(dim-1)]
   double share;                  ///< share of the stiffness per area; both sides of a contact have a part
-  double prescribed_rate;        ///< d gap / dt by what moves as prescribed [m/s]
+  double prescribed_rate;        ///< d gap / dt by prescribed motions [m/s]
   std::array<int, most> vertex;  ///< vertices of the bodies, -1: none
   std::array<double, most> weight;
 };

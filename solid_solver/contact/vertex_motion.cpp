@@ -49,7 +49,7 @@ Interpolation row_by_row(const SolidModel& model, const Field& position, const s
       if (distance < least) source[v] = static_cast<Eigen::Index>(w);
       least = std::min(least, distance);
     }
-    require(source[v] >= 0, "solid.body.{}: no point of its surface follows it; make solid.spacing smaller",
+    require(source[v] >= 0, "solid.body.{}: no node lies near its surface; make solid.spacing smaller",
             body[v]);
   }
   Field followed(position.rows(), position.cols());

@@ -15,7 +15,7 @@ std::vector<double> origin_near_bodies(const v1::Case& the_case, double spacing)
 /// The case with its bodies, their clamps and supports, and pivots counted from `origin`.
 v1::Case relocated(const v1::Case& the_case, const std::vector<double>& origin);
 
-/// What `work` returns; messages of its errors say that their coordinates are counted from `origin`.
+/// Result of `work`; messages of its errors say that their coordinates are relative to `origin`.
 template <typename Work>
 auto saying_origin(const std::vector<double>& origin, const Work& work) {
   const auto said = [&](const std::exception& error) {

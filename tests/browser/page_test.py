@@ -143,7 +143,7 @@ class Page(unittest.TestCase):
         self.assertIn("interrupted at t =", BROWSER.find("#verdicts").text)
         self.expect_plays()
         self.opened(RUNS.report(RUNS.killed(), name="killed"))
-        self.assertIn("it goes on, or was killed", BROWSER.find("#verdicts").text)
+        self.assertIn("it is running, or was killed", BROWSER.find("#verdicts").text)
         self.expect_plays()
 
     def test_two_runs_lie_on_top_of_each_other(self):

@@ -1,4 +1,4 @@
-// What a damaged checkpoint, or one of another program, makes of a resumption.
+// Resumption from a damaged checkpoint, or from one of another program.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -91,7 +91,7 @@ TEST_F(Checkpoints, WithAFlippedBitGiveWayToTheOneBefore) {
     if (k % 10 == 0) {  // the other times the refusal is enough: it comes from the same check
       Program program = resume(damaged, before_);
       ASSERT_EQ(program.wait(patience), 0) << program.output();
-      EXPECT_THAT(program.output(), HasSubstr("the checkpoint before it takes its place"));
+      EXPECT_THAT(program.output(), HasSubstr("the previous checkpoint is used"));
       expect_the_results_of_the_whole_run();
     }
     Program refused = resume(damaged, flipped(before_, at % before_.size()));
@@ -104,7 +104,7 @@ TEST_F(Checkpoints, ThatAreCutShortGiveWayToo) {
   for (const std::size_t length : {std::size_t{0}, std::size_t{10}, std::size_t{40}, last_.size() - 1}) {
     Program program = resume(last_.substr(0, length), before_);
     ASSERT_EQ(program.wait(patience), 0) << program.output();
-    EXPECT_THAT(program.output(), HasSubstr("the checkpoint before it takes its place"));
+    EXPECT_THAT(program.output(), HasSubstr("the previous checkpoint is used"));
     expect_the_results_of_the_whole_run();
   }
 }
@@ -112,7 +112,8 @@ TEST_F(Checkpoints, ThatAreCutShortGiveWayToo) {
 TEST_F(Checkpoints, AreForTheProgramThatWroteThem) {
   Program foreign = resume(last_, before_, {"--solid", COSURGE_SOURCE_DIR "/cases/foreign_solid/plate.py"});
   EXPECT_EQ(foreign.wait(patience), 1) << foreign.output();
-  EXPECT_THAT(foreign.output(), HasSubstr("the state of the solid in the checkpoint is of solid_solver"));
+  EXPECT_THAT(foreign.output(),
+              HasSubstr("the state of the solid in the checkpoint was written by solid_solver"));
   Program own = resume(last_, before_);
   EXPECT_EQ(own.wait(patience), 0) << own.output();
   EXPECT_EQ(own.output().find("warning"), std::string::npos) << own.output();
@@ -131,7 +132,7 @@ TEST_F(Checkpoints, OfAnotherBuildComeWithAWarning) {
   fs::copy(cut_, tried_);
   Program resumed({other, "resume", tried_, "--in-process", "--threads", "1"}, scratch_.path() / "other.log");
   EXPECT_EQ(resumed.wait(patience), 0) << resumed.output();
-  EXPECT_THAT(resumed.output(), HasSubstr("is of another build of cosurge"));
+  EXPECT_THAT(resumed.output(), HasSubstr("was written by another build of cosurge"));
 }
 
 }  // namespace

@@ -106,7 +106,7 @@ TEST_F(FailingDisk, EndsTheRunInWordsKeepsTheResultsAndLetsItGoOn) {
       ASSERT_EQ(cut.wait(patience), 1) << cut.output();
       EXPECT_THAT(cut.output(), HasSubstr(std::strerror(error)));
       if (!fs::exists(scratch->path() / name / "checkpoint")) continue;
-      EXPECT_THAT(last_line(cut.output()), HasSubstr("to go on: cosurge resume"));
+      EXPECT_THAT(last_line(cut.output()), HasSubstr("to resume: cosurge resume"));
       EXPECT_THAT(cut.output(), HasSubstr("failed at t = "));
       expect_part_of_whole(name);
       Program full = resume(name, 3, error);  // there is still no room

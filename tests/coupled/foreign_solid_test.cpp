@@ -1,4 +1,5 @@
-// Solvers that are not Cosurge's own: cases/foreign_solid, and what cosurge certify says of it and of ours.
+// External solvers: cases/foreign_solid, and the checks of cosurge certify for it and for Cosurge's own
+// solvers.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,7 +16,7 @@ namespace fs = std::filesystem;
 
 const std::string case_folder = COSURGE_SOURCE_DIR "/cases/foreign_solid";
 const std::string plate = case_folder + "/plate.py";
-constexpr double patience = 240;  // [s]; tens of times what these runs take on an idle machine
+constexpr double patience = 240;  // [s]; tens of times the duration of these runs on an idle machine
 
 /// Exit status and output of cosurge certify.
 std::pair<int, std::string> certify(const std::vector<std::string>& arguments) {
@@ -68,20 +69,20 @@ class Mistaken : public ::testing::TestWithParam<Mistake> {};
 INSTANTIATE_TEST_SUITE_P(
     Certificate, Mistaken,
     ::testing::Values(Mistake{"LoadNotByTheTranspose", "self.H.T @ force", "np.abs(self.H).T @ force",
-                              "FAILED  takes loads by the transpose"},
+                              "FAILED  has a symmetric response to point loads"},
                       Mistake{"LoadTooLarge", "self.H.T @ force", "1.01 * self.H.T @ force",
-                              "FAILED  has the mean velocity, and the work"},
+                              "FAILED  reports the mean velocity, and the work"},
                       Mistake{"VelocityOfTheEnd", "velocity=self.H @ (new - q) / window.size",
-                              "velocity=self.H @ velocity", "FAILED  has the mean velocity, and the work"},
+                              "velocity=self.H @ velocity",
+                              "FAILED  reports the mean velocity, and the work"},
                       Mistake{"AttemptForgotten", "self.start if window.attempt > 1 else self.state",
-                              "self.state", "FAILED  goes back to the start of a window"},
+                              "self.state", "FAILED  repeats a window from its start"},
                       Mistake{"StateIncomplete", "plate.state = np.frombuffer(request.restore.state)",
                               "plate.state = np.frombuffer(request.restore.state) * 0",
                               "FAILED  continues from a saved state"},
-                      Mistake{"NanTaken", "or not np.isfinite(force).all()", "",
-                              "FAILED  refuses a number that is none"},
+                      Mistake{"NanTaken", "or not np.isfinite(force).all()", "", "FAILED  rejects NaN"},
                       Mistake{"AnyOrderTaken", "if request.sequence != number:", "if False:",
-                              "FAILED  refuses a request whose number"}),
+                              "FAILED  rejects a request with a wrong sequence number"}),
     [](const auto& mistake) { return std::string(mistake.param.name); });
 
 TEST_P(Mistaken, IsFoundByItsCheck) {

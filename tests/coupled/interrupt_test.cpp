@@ -38,7 +38,7 @@ class Interrupt : public ::testing::Test {
 
   void expect_an_interrupted_run(const Program& program) {
     EXPECT_EQ(read_summary(folder()).at("status"), "interrupted");
-    EXPECT_NE(program.output().find("to go on: cosurge resume"), std::string::npos) << program.output();
+    EXPECT_NE(program.output().find("to resume: cosurge resume"), std::string::npos) << program.output();
     EXPECT_GE(read_results(folder()).at("/frames/time").size(), 1U);
     EXPECT_TRUE(fs::exists(folder() / "checkpoint"));
   }

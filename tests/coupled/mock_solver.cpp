@@ -23,7 +23,7 @@ struct Options {
   int threads = 0;
 };
 
-/// What goes wrong in the program itself, before it answers.
+/// Faults of the program itself, before it answers.
 void go_wrong(const std::string& fault) {
   if (fault == "exit") _exit(7);
   if (fault == "kill") raise(SIGKILL);
@@ -31,7 +31,7 @@ void go_wrong(const std::string& fault) {
   if (fault == "sleep") std::this_thread::sleep_for(std::chrono::seconds(4));
 }
 
-/// What is wrong with the answer.
+/// Faults of the answer.
 void spoil(v1::Reply& reply, const std::string& fault) {
   if (fault == "wrong-version") reply.mutable_hello()->set_protocol(protocol_version + 1);
   if (fault == "wrong-role") reply.mutable_hello()->set_role(v1::SOLID);

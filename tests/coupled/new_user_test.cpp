@@ -1,4 +1,4 @@
-// What a new user's cases tell before and in the run.
+// Messages for a new user's cases before and during a run.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -50,8 +50,9 @@ young_modulus = 1e6
 box = { min = [0.2, 0.1], max = [0.24, 0.2] }
 )";
   const std::string checked = cosurge({"check"}, text);
-  EXPECT_THAT(checked, HasSubstr("warning: gravity: 9.81 m/s2 along y points out of the tank"));
-  EXPECT_THAT(checked, HasSubstr("warning: fluid.density: 1 kg/m3 is outside what is usual"));
+  EXPECT_THAT(checked,
+              HasSubstr("warning: gravity: 9.81 m/s2 along y points out of the open top of the tank"));
+  EXPECT_THAT(checked, HasSubstr("warning: fluid.density: 1 kg/m3 is outside the usual range"));
   EXPECT_THAT(checked, HasSubstr("free         solid.body.0: no clamp or support holds it"));
   EXPECT_THAT(cosurge({"run", "--out", (scratch_.path() / "out").string()}, text),
               HasSubstr("warning: fluid.density: 1 kg/m3"));
@@ -94,7 +95,7 @@ name = "right"
 quantity = "displacement"
 position = [0.16, 0.2, 0.12]
 )");
-  EXPECT_THAT(output, Not(HasSubstr("not to be trusted")));
+  EXPECT_THAT(output, Not(HasSubstr("unreliable result")));
   // Both move up and down more than to the side: the progress line has the way, not its x.
   const auto at = output.rfind("  left ");
   ASSERT_NE(at, std::string::npos);

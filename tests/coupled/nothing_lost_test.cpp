@@ -1,4 +1,4 @@
-// What a run, a resumption or a kill could lose, leave behind or write over.
+// Data that a run, a resumption or a kill could lose, leave behind or overwrite.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ class NothingLost : public ::testing::Test {
     fs::create_directories(temporary());
   }
 
-  /// With a folder of its own for what is temporary.
+  /// With its own folder for temporary files.
   Program cosurge(const std::vector<std::string>& arguments, const std::string& name) {
     std::vector<std::string> command = {"/usr/bin/env", "TMPDIR=" + temporary().string(), cosurge_program};
     command.insert(command.end(), arguments.begin(), arguments.end());
@@ -64,7 +64,7 @@ TEST_F(NothingLost, TheStatusOfARunSaysHowFarItIsAndHowToGoOn) {
   ASSERT_EQ(running.wait(patience), 0) << running.output();
   EXPECT_THAT(running.output(), HasSubstr("running\n  t = "));
   EXPECT_THAT(running.output(), HasSubstr("of 1000 s (0 %) at the last frame"));
-  EXPECT_THAT(running.output(), HasSubstr(" left; the last frame came"));
+  EXPECT_THAT(running.output(), HasSubstr(" left; last frame"));
   kill(program.pid(), SIGKILL);
   program.wait(patience);
   Program killed = cosurge({"status", folder()}, "killed");
@@ -73,7 +73,7 @@ TEST_F(NothingLost, TheStatusOfARunSaysHowFarItIsAndHowToGoOn) {
   EXPECT_THAT(killed.output(), HasSubstr("cosurge resume " + folder().string()));
   Program none = cosurge({"status", scratch_.path() / "none"}, "none");
   EXPECT_EQ(none.wait(patience), 1);
-  EXPECT_THAT(none.output(), HasSubstr("no run is there"));
+  EXPECT_THAT(none.output(), HasSubstr("contains no run"));
 }
 
 // A stopped process keeps every signal waiting except SIGKILL.
@@ -115,8 +115,8 @@ TEST_F(NothingLost, ResultsThatAreRemovedDuringARunAreWrittenAgain) {
   fs::remove(folder() / "results.h5");
   ASSERT_EQ(program.wait(patience), 1) << program.output();
   EXPECT_THAT(program.output(),
-              HasSubstr("results.h5: was removed during the run; all that was recorded is there"));
-  EXPECT_THAT(program.output(), HasSubstr("to go on: cosurge resume"));
+              HasSubstr("results.h5: was removed during the run; it has been written again in full"));
+  EXPECT_THAT(program.output(), HasSubstr("to resume: cosurge resume"));
   EXPECT_GE(read_results(folder()).at("/frames/time").size(), 2U);
   Program resumed = resume();
   ASSERT_EQ(resumed.wait(patience), 0) << resumed.output();

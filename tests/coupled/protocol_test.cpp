@@ -1,4 +1,4 @@
-// The protocol between real processes, and what happens when one of them goes wrong.
+// The protocol between real processes, and faults of one of them.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -95,8 +95,8 @@ TEST_F(Processes, ThatTheCouplerEndsSayWhy) {
 struct Fault {
   std::string name;
   int at;              // number of the request whose answer is wrong
-  std::string error;   // part of what the coupler says
-  std::string in_log;  // part of what the solver says
+  std::string error;   // part of the coupler's message
+  std::string in_log;  // part of the solver's message
 };
 
 class Faults : public Processes, public ::testing::WithParamInterface<Fault> {};
@@ -124,22 +124,23 @@ TEST_P(Faults, EndTheRunWithinSecondsAndNameWhoAndWhat) {
 INSTANTIATE_TEST_SUITE_P(
     Protocol, Faults,
     ::testing::Values(
-        Fault{"wrong-version", 0, "mock_fluid 0.1.0: refused: it speaks protocol 3, the coupler speaks 2",
-              "the coupler refused this solver: it speaks protocol 3"},
+        Fault{"wrong-version", 0, "mock_fluid 0.1.0: refused: it uses protocol 3, the coupler uses 2",
+              "the coupler refused this solver: it uses protocol 3"},
         Fault{"wrong-role", 0, "mock_fluid 0.1.0: refused: it is a solid solver, a fluid solver is expected",
               "the coupler refused this solver: it is a solid solver"},
-        Fault{"wrong-token", 0, "mock_fluid 0.1.0: refused: it shows the token of another run",
-              "the coupler refused this solver: it shows the token"},
+        Fault{"wrong-token", 0, "mock_fluid 0.1.0: refused: it has the token of another run",
+              "the coupler refused this solver: it has the token"},
         Fault{"garbage", 0, "the fluid solver: refused: a message of 4 bytes cannot be decoded",
               "cannot be decoded"},
-        Fault{"exit", 0, "the fluid solver: it has ended with exit code 7 (its hello was awaited for", ""},
-        Fault{"exit", 2,
-              "mock_fluid 0.1.0: it has ended with exit code 7 (its answer to initialize was awaited", ""},
+        Fault{"exit", 0, "the fluid solver: it ended with exit code 7 (its hello was awaited for", ""},
+        Fault{"exit", 2, "mock_fluid 0.1.0: it ended with exit code 7 (its answer to initialize was awaited",
+              ""},
         Fault{"kill", 5,
               "mock_fluid 0.1.0: it was killed by signal 9 (Killed) (its answer to advance, window 2", ""},
-        Fault{"stop", 4,
-              "mock_fluid 0.1.0: the connection was lost: it has died, or has given no sign of life for 3 s",
-              ""},
+        Fault{
+            "stop", 4,
+            "mock_fluid 0.1.0: the connection was lost: the peer has ended, or has sent no heartbeat for 3 s",
+            ""},
         Fault{"wrong-length", 3,
               "mock_fluid 0.1.0: force has 9 numbers instead of 2 x 5 [advance, window 0 (t = 0 s)]",
               "the coupler ended the run: mock_fluid 0.1.0: force has 9 numbers"},
@@ -199,7 +200,7 @@ TEST_F(Processes, AreToldOfAWrongCommandLineAndOfTheWrongConnectionFile) {
 /// Another process that is the coupler of one run. It ends when the test kills it.
 class OtherCoupler {
  public:
-  /// `coupler` runs in the new process and returns what the test needs to know.
+  /// `coupler` runs in the new process and returns the result for the test.
   template <typename Coupler>
   explicit OtherCoupler(Coupler&& coupler) {
     std::array<int, 2> pipe{};
@@ -288,7 +289,7 @@ TEST_F(Processes, ThatNeverComeAreGivenUp) {
   Solver solver = Solver::by_hand(Role::fluid, impatient, "fluid_solver");
   EXPECT_THAT(solver.how_to_start(), HasSubstr("fluid_solver --connect " + run.path().string()));
   EXPECT_THAT([&] { solver.join(2, {}); },
-              ThrowsMessage<PeerLost>(HasSubstr("the fluid solver: nothing heard within 0.5 s")));
+              ThrowsMessage<PeerLost>(HasSubstr("the fluid solver: no message within 0.5 s")));
 }
 
 TEST(RunFolder, IsForItsOwnerOnlyAndGoesWithTheRun) {

@@ -73,7 +73,7 @@ TEST(RemoteParticipant, SaysWhoItIsAndWhatItReports) {
   EXPECT_EQ(setup.columns.at(0).unit, "Pa");
   EXPECT_EQ(remote.interface.points(), piston.points);
   const Report report = remote.participant.advance(remote.window, remote.surface);
-  // At rest the pressure is that of the column's weight.
+  // At rest the pressure carries the weight of the column.
   EXPECT_DOUBLE_EQ(report.values.at(0), piston.density * piston.gravity * piston.height);
   EXPECT_EQ(remote.participant.frame().at(0).name, "state");
 }
@@ -99,7 +99,7 @@ TEST(RemoteParticipant, NamesSolverFieldPointAndWindowOfANumberThatIsNotFinite) 
       [&] { remote.participant.advance(remote.window, remote.surface); },
       ThrowsMessage<Error>("mock_fluid 0.1.0: force of point 2 is nan [advance, window 212 (t = 0.0212 s)]"));
   EXPECT_THAT([&] { remote.participant.save(); },
-              ThrowsMessage<Error>("mock_fluid 0.1.0: save after its end"));
+              ThrowsMessage<Error>("mock_fluid 0.1.0: save was requested after its end"));
 }
 
 TEST(RemoteParticipant, ThrowsWhatTheSolverThrowsAndOfTheSameKind) {
@@ -119,10 +119,10 @@ TEST(RemoteParticipant, RefusesASolverOfAnotherDimensionOrWithoutACapability) {
   flat->who.dimensions = {2};
   Solver solver = Solver::thread(std::move(flat), 10, 1);
   EXPECT_THAT([&] { solver.join(3, {}); },
-              ThrowsMessage<Error>("mock_fluid 0.1.0: refused: it does not compute in 3 dimensions"));
+              ThrowsMessage<Error>("mock_fluid 0.1.0: refused: it does not support 3 dimensions"));
   Solver plain = Solver::thread(testing::water_column(piston), 10, 1);
   EXPECT_THAT([&] { plain.join(2, {"fly"}); },
-              ThrowsMessage<Error>("mock_fluid 0.1.0: refused: it cannot do \"fly\""));
+              ThrowsMessage<Error>("mock_fluid 0.1.0: refused: it does not support \"fly\""));
 }
 
 TEST(RemoteParticipant, TellsComputingFromTheExchange) {

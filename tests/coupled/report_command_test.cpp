@@ -25,7 +25,7 @@ std::string text_of(const fs::path& file) {
   return text.str();
 }
 
-/// What the page has been given.
+/// The data of the page.
 nlohmann::json document_of(const fs::path& page) {
   const std::string text = text_of(page), begin = "<script type=\"application/json\" id=\"document\">";
   const std::size_t at = text.find(begin) + begin.size();
@@ -71,7 +71,7 @@ TEST(ReportCommand, WritesTheRunsPeaksAndReplacesOnlyItsOwnPage) {
       cosurge_says(folder, {"report", run, run + "/nowhere", "--out", other, "--case", "/nowhere"});
   EXPECT_EQ(refused.status, 1);
   for (const std::string part :
-       {"other.html: exists already", "/nowhere: no such folder", "nowhere: no results there"})
+       {"other.html: exists already", "/nowhere: no such folder", "nowhere: contains no results"})
     EXPECT_THAT(refused.output, HasSubstr(part)) << "all at once";
   EXPECT_EQ(text_of(other), "somebody's");
 }

@@ -1,4 +1,4 @@
-// Resumptions that change something, and what a run advises where it ends.
+// Resumptions with changes, and the advice of a run at its end.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -82,7 +82,7 @@ TEST_F(ResumeWithChanges, SchemeAndWindowsMayChange) {
   EXPECT_EQ(now.at("/history/coupling/iterations")[before - 1], 1);
   EXPECT_GE(now.at("/history/coupling/iterations")[before + 1], 2);
   EXPECT_NEAR(now.at("/history/window").back(), 1e-4, 1e-9);
-  // What has been changed stays with the results.
+  // The changes stay with the results.
   const H5::H5File file((folder("run") / "results.h5").string(), H5F_ACC_RDONLY);
   const H5::Attribute changes = file.openAttribute("changes");
   std::string text;
@@ -93,7 +93,7 @@ TEST_F(ResumeWithChanges, SchemeAndWindowsMayChange) {
 TEST_F(ResumeWithChanges, FixedWindowsMayChangeWhereTheyReachTheCheckpoint) {
   run("run", {"time.end=0.04", "time.stepping=fixed"});
   EXPECT_THAT(resume("run", {"time.end=0.06", "time.window=3e-4", "output.frame_interval=0.06"}, 1),
-              HasSubstr("no whole number of fixed windows"));
+              HasSubstr("is not a whole number of fixed windows"));
   resume("run", {"time.end=0.06", "time.window=1e-4"});
   const Datasets now = results("run");
   EXPECT_EQ(now.at("/history/time").size(), 400U);
@@ -104,12 +104,12 @@ TEST_F(ResumeWithChanges, WhatAStateDependsOnIsRefusedAllAtOnceAndNothingIsWritt
   run("run", {"time.end=0.04"});
   const auto before = fs::last_write_time(folder("run") / "results.h5");
   const std::string said = resume("run", {"fluid.spacing=0.002", "solid.model=rigid"}, 1);
-  for (const char* words : {"--set fluid.spacing: a resumption cannot change it (0.004)",
+  for (const char* words : {"--set fluid.spacing: cannot be changed by resume (0.004)",
                             "--set solid.model:", "time.end: 0.04 s must be > 0.04 s"})
     EXPECT_THAT(said, HasSubstr(words));
   EXPECT_EQ(fs::last_write_time(folder("run") / "results.h5"), before);
   EXPECT_THAT(resume("run", {}, 1),
-              HasSubstr("the run is finished at t = 0.04 s; --set time.end=... makes it longer"));
+              HasSubstr("the run is finished at t = 0.04 s; --set time.end=... extends it"));
 }
 
 TEST_F(ResumeWithChanges, ACaseFileThatHasChangedSinceIsTold) {
@@ -122,7 +122,7 @@ TEST_F(ResumeWithChanges, ACaseFileThatHasChangedSinceIsTold) {
   text.replace(text.find("2500.0"), 6, "2600.0");
   std::ofstream(own / "case.toml") << text;
   EXPECT_THAT(resume("run", {"time.end=0.06"}),
-              AllOf(HasSubstr("case.toml has changed since the run began"),
+              AllOf(HasSubstr("case.toml has changed since the start of the run"),
                     HasSubstr("solid.density: 2500 in the run, 2600 in the file")));
 }
 
@@ -130,8 +130,8 @@ TEST_F(ResumeWithChanges, ABrokenDownComputationIsNotAdvisedToGoOnAsItIs) {
   const std::string said =
       run("run", {"coupling.scheme=weak", "solid.fem.rho_infinity=0.8", "fluid.source=mixed"},
           COSURGE_SOURCE_DIR "/cases/soft_floor", 1);
-  EXPECT_THAT(said, AllOf(HasSubstr("alone would fail at the same window"),
-                          Not(HasSubstr("to go on: cosurge resume"))));
+  EXPECT_THAT(said, AllOf(HasSubstr("without changes would fail at the same window"),
+                          Not(HasSubstr("to resume: cosurge resume"))));
 }
 
 }  // namespace

@@ -70,7 +70,7 @@ class Resume : public ::testing::Test {
 
 void wait_for(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
 
-// The second checkpoint is that of the interruption, between two frames: its rows must be in the new file.
+// The second checkpoint is from the interruption, between two frames: its rows must be in the new file.
 TEST_F(Resume, RowsBeforeAnInterruptionOutliveAResumptionThatIsKilled) {
   const std::vector<std::string> settings = {"time.end=0.4", "output.frame_interval=0.2"};
   Program whole = start("whole", settings);
@@ -107,7 +107,7 @@ TEST_F(Resume, AKillBeforeTheSecondFrameDoesNotDoubleTheFirst) {
   expect_same("whole", "cut");
 }
 
-// A run that fails writes its rows up to the failure; its checkpoint is that of the last frame. The rows
+// A run that fails writes its rows up to the failure; its checkpoint is from the last frame. The rows
 // behind that frame are computed again, and come once, also where they are nearer to it than a nanosecond.
 TEST_F(Resume, WindowsShorterThanANanosecondComeOnce) {
   const std::vector<std::string> settings = {"time.end=4e-7", "time.window=4e-10",
@@ -136,7 +136,7 @@ TEST_F(Resume, AFolderInUseIsRefused) {
   while (!fs::exists(folder("running") / "checkpoint") && running.running()) wait_for(0.01);
   Program second = resume("running", "second.log");
   EXPECT_EQ(second.wait(patience), 1) << second.output();
-  EXPECT_THAT(second.output(), HasSubstr("a run is going on in this folder"));
+  EXPECT_THAT(second.output(), HasSubstr("a run is in progress in this folder"));
   EXPECT_TRUE(running.running());
   // The lock of a run that was killed is gone with it.
   kill(running.pid(), SIGKILL);
@@ -145,7 +145,7 @@ TEST_F(Resume, AFolderInUseIsRefused) {
   ASSERT_TRUE(third.says("resumed at", patience)) << third.output();
   Program fourth = resume("running", "fourth.log");
   EXPECT_EQ(fourth.wait(patience), 1) << fourth.output();
-  EXPECT_THAT(fourth.output(), HasSubstr("a run is going on in this folder"));
+  EXPECT_THAT(fourth.output(), HasSubstr("a run is in progress in this folder"));
   kill(third.pid(), SIGINT);
   EXPECT_EQ(third.wait(patience), 130) << third.output();
 }

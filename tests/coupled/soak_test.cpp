@@ -34,7 +34,7 @@ std::size_t open_files() {
   return count;
 }
 
-/// What a run has taken after some windows.
+/// Memory of a run after some windows.
 struct Taken {
   double memory;  // [kB]
   std::size_t files;

@@ -49,7 +49,7 @@ class WaysOfUse : public ::testing::Test {
 
   fs::path scene() const { return scratch_.path() / "scene"; }
 
-  /// Starts a command line in a folder, with a folder of its own for what is temporary.
+  /// Starts a command line in a folder, with its own folder for temporary files.
   Program start(const std::string& line, const fs::path& where, const std::string& name = "out") {
     fs::create_directories(temporary());
     return Program({"/bin/bash", "-c",
@@ -167,7 +167,7 @@ TEST_F(WaysOfUse, HistoriesAreWrittenAsATableWithUnits) {
   EXPECT_THAT(run(cosurge("csv r --out t.csv"), scratch_.path(), 1), HasSubstr("t.csv: exists already"));
   EXPECT_THAT(run(cosurge("csv r --columns fluid/frnt"), scratch_.path(), 1),
               HasSubstr("no column fluid/frnt; there"));
-  EXPECT_THAT(run(cosurge("csv nothing"), scratch_.path(), 1), HasSubstr("nothing: no results there"));
+  EXPECT_THAT(run(cosurge("csv nothing"), scratch_.path(), 1), HasSubstr("nothing: contains no results"));
 }
 
 TEST_F(WaysOfUse, AMisspeltCommandIsAnsweredWithTheNearest) {
@@ -194,7 +194,7 @@ ramp = 0.2
 frame_interval = 0.1
 )");
   const std::string failed = run(cosurge("run scene --in-process --out a"), scratch_.path(), 1);
-  EXPECT_THAT(failed, HasSubstr("particles of water"));
+  EXPECT_THAT(failed, HasSubstr("water particles"));
   EXPECT_THAT(failed, HasSubstr("fluid.most_lost = 0.01 allows 1 %"));
   EXPECT_EQ(read_summary(scratch_.path() / "a").at("status"), "failed");
   const std::string told =

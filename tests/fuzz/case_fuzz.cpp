@@ -1,4 +1,4 @@
-// Any bytes as a case file: read, or refused in words.
+// Any bytes as a case file: read, or rejected with a message.
 #include <fstream>
 
 #include "common/case_file.hpp"

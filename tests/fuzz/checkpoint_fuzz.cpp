@@ -1,4 +1,4 @@
-// Any bytes as a checkpoint, with a right checksum or without: restored, or refused in words.
+// Any bytes as a checkpoint, with a right checksum or without: restored, or rejected with a message.
 #include <zlib.h>
 
 #include <fstream>

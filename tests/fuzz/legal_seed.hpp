@@ -14,7 +14,7 @@ extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, st
 
 namespace cosurge::testing {
 
-/// What libFuzzer's custom mutator returns: now and then a legal part, else a change of what is there.
+/// Result of libFuzzer's custom mutator: now and then a legal part, else a change of the present one.
 inline std::size_t legal_or_mutated(const std::vector<std::string>& legal, std::uint8_t* data,
                                     std::size_t size, std::size_t most, unsigned seed) {
   constexpr unsigned rarely = 50;

@@ -1,4 +1,4 @@
-// Any bytes in the place of one reply of a legal run: taken with finite numbers, or refused in words.
+// Any bytes instead of one reply of a legal run: accepted with finite numbers, or rejected with a message.
 #include <cstdlib>
 
 #include "common/remote_participant.hpp"

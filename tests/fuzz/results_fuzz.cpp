@@ -1,5 +1,5 @@
-// Any datasets in the places where a resumption looks for rows and frames: taken, or refused in words. (What
-// is no HDF5 file is the library's to refuse.)
+// Any datasets instead of the rows and frames for a resumption: accepted, or rejected with a message. (The
+// library rejects files that are not HDF5.)
 #include <H5Cpp.h>
 #include <fuzzer/FuzzedDataProvider.h>
 

@@ -1,4 +1,4 @@
-// Any bytes in the place of one request of a legal run: answered, or refused in words.
+// Any bytes instead of one request of a legal run: answered, or rejected with a message.
 #include "common/message_parts.hpp"
 #include "common/serve.hpp"
 #include "tests/fuzz/legal_seed.hpp"

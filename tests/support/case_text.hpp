@@ -1,4 +1,4 @@
-// Case files for the tests: a good one, and what becomes of it when a line is spoiled.
+// Case files for the tests: a valid one, and the errors if a line is spoiled.
 #pragma once
 
 #include <fmt/format.h>
@@ -79,7 +79,7 @@ inline long line_of(const CaseText& c, const std::string& words) {
   return 1 + std::count(c.text().begin(), c.text().begin() + static_cast<long>(at), '\n');
 }
 
-/// What load_case() throws; empty where it accepts the case. Errors of other types fall through.
+/// The message of load_case(); empty if it accepts the case. Errors of other types are not caught.
 inline std::string errors_of(const std::string& path, const std::vector<std::string>& overrides = {}) {
   try {
     load_case(path, overrides);

@@ -1,4 +1,4 @@
-// Bodies that fall on, run into and slap what is around them, in two and three dimensions, with every model.
+// Bodies that fall on, hit and slap other objects, in two and three dimensions, with every model.
 #pragma once
 
 #include <string>
@@ -117,12 +117,12 @@ struct ContactRun {
       if (setup.columns[k].name == name) return report.values.at(k);
     throw Error("no column " + name);
   }
-  /// What the bodies have beyond what water and contact have put in.
+  /// Energy of the bodies minus the work of water and contact.
   double unaccounted() const {
     return value("kinetic_energy") + value("elastic_energy") + value("gravity_energy") -
            value("interface_work") - value("contact_work");
   }
-  /// What the springs of contact hold beyond what was put into them.
+  /// Energy of the contact springs minus the work on them.
   double made_by_contact() const { return value("contact_work") + value("contact_energy"); }
 };
 

@@ -1,4 +1,4 @@
-// What the impact of a dam break does to a plate that hardly moves.
+// The impact of a dam break on a plate with small displacements.
 #pragma once
 
 #include "tests/support/plate.hpp"

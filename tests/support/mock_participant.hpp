@@ -15,7 +15,7 @@
 
 namespace cosurge::testing {
 
-/// Every call can be replaced. What it remembers must lie in `state`, which save() and restore() copy.
+/// Every call can be replaced. Its memory must be in `state`, which save() and restore() copy.
 class MockParticipant : public Participant {
  public:
   explicit MockParticipant(Role role)

@@ -8,7 +8,7 @@
 
 namespace cosurge::testing {
 
-/// Keeps the pressure of every window, and what the coupler itself reports.
+/// Records the pressure of every window, and the values of the coupler itself.
 class PressureHistory : public Observer {
  public:
   void window(const Window& window, const Reports& reports, const std::vector<double>& own) override {

@@ -1,4 +1,4 @@
-// What a coupling scheme makes of the swing of the piston under a lumped water column.
+// Oscillation of the piston under a lumped water column with a coupling scheme.
 #pragma once
 
 #include <Eigen/QR>

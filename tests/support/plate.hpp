@@ -1,4 +1,4 @@
-// The plates of the tables: any model under a smooth load, and what its end does.
+// The plates of the tables: any model under a smooth load, and the motion of its end.
 #pragma once
 
 #include <functional>

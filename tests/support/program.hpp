@@ -83,7 +83,7 @@ class Program {
   int status_ = -1;
 };
 
-/// Whether a process has not ended; one that nobody has asked about its end has.
+/// Whether a process has not ended; an ended process counts as running until it is waited for.
 inline bool lives(pid_t process) {
   std::ifstream stat("/proc/" + std::to_string(process) + "/stat");
   pid_t pid = 0;

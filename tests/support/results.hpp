@@ -37,7 +37,7 @@ inline Datasets read_results(const std::filesystem::path& folder) {
   return datasets;
 }
 
-/// Without what depends on the clock.
+/// Without values that depend on the clock.
 inline Datasets physics(Datasets datasets) {
   std::erase_if(datasets, [](const auto& entry) { return entry.first.find("seconds") != std::string::npos; });
   return datasets;

@@ -75,7 +75,7 @@ class FemSample {
   fem::Vector u_;
 };
 
-/// What both bodies of particles do alike.
+/// Common code of both bodies of particles.
 template <typename Body>
 class ParticleSample {
  public:
@@ -122,7 +122,7 @@ inline particles::Substance<2> substance_of(const Block& block) {
 template <v1::SolidMps::Pairs pairs>
 class MpsSample : public ParticleSample<mps::MpsBody<2>> {
  public:
-  static constexpr bool whole_energy = false;  // the paper's faces lack neighbours; large strains: other law
+  static constexpr bool whole_energy = false;  // faces of `paper` lack neighbours; large strains: other law
   static constexpr bool local = pairs == v1::SolidMps::paper;  // whole weights differ far from the faces too
   static constexpr double conserves = 1e-11;                   // rounding of 2000 steps
   static constexpr double rounding = 1e-11;                    // sum of all forces over the largest force

@@ -27,8 +27,8 @@ struct SolidParameters {
   std::vector<double> gravity = {0, 0};
 };
 
-/// An upright plate with its left foot at the origin; the paper's by default. A probe "tip" on its upper
-/// right corner.
+/// An upright plate with its left foot at the origin; default: that of Amaro & Cheng. A probe "tip" on its
+/// upper right corner.
 inline v1::Case plate(const SolidParameters& p) {
   v1::Case c;
   c.set_title("plate");

@@ -1,4 +1,4 @@
-// A square patch of water that turns without weight (Colagrossi 2005): what suction is needed for.
+// A rotating square patch of water without gravity (Colagrossi 2005), which needs suction.
 #pragma once
 
 #include <algorithm>

@@ -95,7 +95,7 @@ TEST(Cantilever, LosesAndGainsNoEnergy) {
   ASSERT_GT(exchanged, 0);
   const double seconds = static_cast<double>(total.size()) * cantilever().window;
   const auto [low, high] = std::minmax_element(total.begin(), total.end());
-  // Symplectic and undamped: what remains is a ripple, no trend; more than 1e-3 in a second is a defect.
+  // Symplectic and undamped: only a ripple, no drift; more than 1e-3 in a second is a defect.
   RecordProperty("energy_change_over_exchanged", fmt::format("{:.2e}", (*high - *low) / exchanged));
   EXPECT_LT((*high - *low) / exchanged, 1e-3 * seconds);
 }

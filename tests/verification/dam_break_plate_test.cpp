@@ -1,4 +1,4 @@
-// The paper's verification case against the published band: cases/dam_break_plate.
+// The verification case of Amaro & Cheng compared with published results: cases/dam_break_plate.
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 

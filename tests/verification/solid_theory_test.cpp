@@ -1,4 +1,5 @@
-// The elastic models against beam theory, as in docs/tables/solid_*.csv: what of those tables is short.
+// The elastic models compared with beam theory, as in docs/tables/solid_*.csv: the short runs of those
+// tables.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -103,7 +104,7 @@ TEST_P(Particles, BendUnderAUniformDeadLoadAsTheElasticaDoes) {
   Plate run({.model = GetParam(), .plate = beam, .damping_ratio = 0.7});
   const double share = 4 * beam.rigidity() / (beam.length * beam.length) / static_cast<double>(run.points());
   constexpr int windows = 60,
-                ramp = 30;  // three periods; what is left of the motion is exp(-0.7 x 3 pi) = 1e-3
+                ramp = 30;  // three periods; the remaining motion is exp(-0.7 x 3 pi) = 1e-3
   for (int k = 1; k <= windows; ++k) {
     const double force = share * std::min(1.0, static_cast<double>(k) / ramp);
     run.advance(3 / beam.timoshenko() / windows, [&](const Vec<2>&) { return Vec<2>(force, 0); });
@@ -115,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(Both, Particles, testing::Values(v1::SolidModel::mps, v
                          [](const auto& choice) { return v1::SolidModel::Word_Name(choice.param); });
 
 TEST(RecordedImpact, ModesMoveTheStiffestPlateAsParticlesDo) {
-  // The paper's plate of 200 GPa, six particles thick; 80 ms of the impact.
+  // The plate of Amaro & Cheng with 200 GPa, six particles thick; 80 ms of the impact.
   const Cantilever steel = {
       .length = 0.080, .thickness = 0.012, .density = 7800, .young_modulus = 2e11, .poisson_ratio = 0.3};
   const RecordedPressure pressure(impact_file);

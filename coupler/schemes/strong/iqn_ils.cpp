@@ -6,7 +6,7 @@ namespace cosurge {
 namespace {
 
 // Share of a column's length that must remain after newer columns are taken out of it: the pressure is known
-// to about four digits, so that what remains of less is noise.
+// to about four digits, so that a smaller remainder is noise.
 constexpr double filter = 1e-2;
 
 // Steps of a window that may make the residual larger before its older columns are not believed: without

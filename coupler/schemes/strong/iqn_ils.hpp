@@ -10,11 +10,11 @@ namespace cosurge {
 /// Degroote, Bathe & Vierendeels 2009 (doi 10.1016/j.compstruc.2008.11.013). The columns dr and dg are the
 /// changes of residuals and outputs between iterations in this window and the last ones: alpha = argmin |r +
 /// dr alpha|, x = g + dg alpha. Columns that are nearly combinations of newer ones are left out (QR2 filter:
-/// Haelterman et al. 2016, doi 10.1016/j.compstruc.2015.11.007). Where a step has made the residual larger,
-/// water has come or gone and past windows tell nothing of this one: their columns are dropped. Where it
-/// happens again and again, suction is cut off at other points in every iteration, and older columns are
-/// slopes of what is no more: all but the newest are dropped. Added mass is positive, so that the step (1 +
-/// M)^-1 r is not longer than r: a longer one comes from noise in the columns, and is shortened.
+/// Haelterman et al. 2016, doi 10.1016/j.compstruc.2015.11.007). If a step has increased the residual,
+/// water has arrived or left, and past windows are no longer valid: their columns are dropped. If this
+/// happens repeatedly, suction is cut off at other points in every iteration, and older columns are invalid
+/// slopes: all but the newest are dropped. Added mass is positive, so that the step (1 + M)^-1 r is not
+/// longer than r: a longer step comes from noise in the columns, and is shortened.
 class IqnIls : public Relaxation {
  public:
   /// @param first factor of the first iteration, while there are no columns

@@ -1,4 +1,4 @@
-// What makes a fixed-point iteration converge.
+// Relaxation of a fixed-point iteration.
 #pragma once
 
 #include <Eigen/Core>

@@ -7,7 +7,7 @@
 namespace cosurge {
 namespace {
 
-/// The larger of a value and what it has changed by in the window: either may pass through zero.
+/// The larger of a value and its change in the window: either may pass through zero.
 double scale_of(const Field& value, const Field& before) {
   return std::max(value.norm(), (value - before).norm());
 }

@@ -7,25 +7,24 @@
 
 namespace cosurge {
 
-/// Fluid and solid go through the window again and again, each time from its start, until the velocity that
-/// the solid answers is the one that the water saw, to a relative tolerance, and the load that it would get
-/// by that difference is the load that it got, to the same. The water sees the bodies where they were at the
-/// start of the window, in every iteration: so the free surface and the matrix of the pressure do not change,
-/// and the load is a smooth function of the velocity but for suction, which is cut off. Where the iterations
-/// run out, the window is gone through once more with the velocity that was nearest, and the effort says so.
-/// Where nothing moves, one iteration is enough.
+/// Fluid and solid repeat the window, each time from its start, until the velocity of the solid agrees with
+/// the velocity that the water used, and the corresponding change of the load is small, both to a relative
+/// tolerance. In every iteration the water uses the positions of the bodies at the start of the window: so
+/// the free surface and the matrix of the pressure do not change, and the load is a smooth function of the
+/// velocity except for the cut-off of suction. If the iterations do not converge, the window is repeated once
+/// with the velocity of the smallest residual, and the effort reports it. If nothing moves, one iteration is
+/// enough.
 ///
-/// `strong_inertial` gives the water the structure's modes besides, as `weak_inertial` does: it sees the
-/// velocity x + R (f - f_0), f its own load and R the modes' mobility, and what is iterated is x. At the end
-/// it sees what the structure answers, whatever R; but only what the modes do not tell is left to the
-/// iteration.
+/// `strong_inertial` also gives the water the structure's modes, as `weak_inertial` does: the water uses the
+/// velocity x + R (f - f_0), with its own load f and the modes' mobility R, and x is iterated. The converged
+/// solution does not depend on R; the iteration only has to find the response of the other modes.
 class Strong : public Scheme {
  public:
   Strong(const v1::Coupling& coupling, Participants participants);
 
   Reports advance(const Window& window, Surface& surface, InterfaceAccount& account) override;
 
-  bool has_modes() const { return has_modes_; }  ///< whether the solid tells modes
+  bool has_modes() const { return has_modes_; }  ///< whether the solid gives modes
 
   const Effort& effort() const override { return effort_; }
   const AddedMassRatio& ratio() const override { return ratio_; }

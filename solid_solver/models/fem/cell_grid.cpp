@@ -67,7 +67,7 @@ void CellGrid<dim>::choose_cells(const Shape<dim>& shape, int body) {
   }
   const int pieces = cells_.parts(kept_);
   require(pieces == 1,
-          "solid.body.{}: elements of {:.3g} m fall into {} parts; make solid.fem.element shorter", body,
+          "solid.body.{}: elements of {:.3g} m form {} separate parts; make solid.fem.element shorter", body,
           side_.maxCoeff(), pieces);
 }
 

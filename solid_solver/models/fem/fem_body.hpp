@@ -19,7 +19,7 @@ using Matrix = Eigen::SparseMatrix<double>;  ///< the lower triangle of a symmet
 template <int dim>
 class FemBody {
  public:
-  /// Forces of a displacement, and what tells whether they mean anything.
+  /// Forces of a displacement, and indicators of their validity.
   struct InternalForce {
     Vector force;           ///< [N]
     double gross;           ///< largest component of one element's force on a node: the scale of rounding [N]
@@ -77,7 +77,7 @@ class FemBody {
   /// Values at an element's Gauss points.
   struct Strains {
     std::array<Mat<dim>, Element::nodes> H;
-    std::array<double, Element::nodes> dilatation;  // what lambda resists (S43)
+    std::array<double, Element::nodes> dilatation;  // dilatation with the modulus lambda (S43)
   };
 
   void make_quadratures();

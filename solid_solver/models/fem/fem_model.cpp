@@ -62,21 +62,21 @@ void FemModel<dim>::check_step(const NewtonReport& report, const Window& window,
       fmt::format("in body {}, near ({:.4g}) when undeformed, in the window from t = {:.6g} s", body,
                   fmt::join(near.begin(), near.end(), ", "), window.start);
   if (!bodies_.material().neo_hookean && report.least_volume < gives_way)
-    throw NumericalError(fmt::format(
-        "solid: the material collapses {}: an element is left with {:.2g} of its volume{}. "
-        "st_venant_kirchhoff gives way where it is compressed below {:.2f} of its length, whatever the step; "
-        "solid.material = \"neo_hookean\" stiffens instead",
-        where, report.least_volume, report.least_volume <= 0 ? ", turned inside out" : "", gives_way));
+    throw NumericalError(
+        fmt::format("solid: the material collapses {}: an element is left with {:.2g} of its volume{}. "
+                    "st_venant_kirchhoff is unstable when compressed below {:.2f} of its length, with any "
+                    "step; use solid.material = \"neo_hookean\", which stiffens",
+                    where, report.least_volume, report.least_volume <= 0 ? ", inverted" : "", gives_way));
   const std::string remedy = fmt::format(
-      "The step of {:.3g} s is too long for this motion (solid.fem.substep = {:.2g}), or the load runs away "
-      "(coupling.load = \"ramped\", a shorter time.window, or a heavier body)",
+      "The step of {:.3g} s is too long for this motion (solid.fem.substep = {:.2g}), or the load is "
+      "unstable (coupling.load = \"ramped\", a shorter time.window, or a heavier body)",
       dt, dt / 4);
   if (report.least_volume <= 0)
-    throw NumericalError(fmt::format("solid: an element {} is turned inside out: {:.2g} of its volume. {}",
-                                     where, report.least_volume, remedy));
+    throw NumericalError(fmt::format("solid: an element {} is inverted: {:.2g} of its volume. {}", where,
+                                     report.least_volume, remedy));
   throw NumericalError(fmt::format(
-      "solid: no balance of forces {}: after {} Newton iterations the residual is {:.2g} of the largest "
-      "force, and must be {:.0e}; the smallest volume ratio is {:.2g}. {}",
+      "solid: no convergence {}: after {} Newton iterations the residual is {:.2g} of the largest force, "
+      "limit {:.0e}; the smallest volume ratio is {:.2g}. {}",
       where, report.iterations, report.residual, NewtonReport::tolerance, report.least_volume, remedy));
 }
 

@@ -80,7 +80,7 @@ class Fitting {
   void share_out_patches();
   Eigen::Index nearest_patch(const std::vector<Eigen::Index>& nodes);
   void smooth();
-  /// Where a middle belongs by the element's polynomial, and what is around it.
+  /// Position of a middle by the element's polynomial, and its surroundings.
   struct Middle {
     Vec<dim> x = Vec<dim>::Zero();
     double length = std::numeric_limits<double>::infinity();  // length of the shortest edge through it
@@ -94,7 +94,7 @@ class Fitting {
   const CellGrid<dim>& grid_;
   OutlineFeatures<dim> features_;
   std::vector<Vec<dim>> x_;           // positions of the nodes
-  std::vector<char> fixed_;           // corners, and what lies on creases
+  std::vector<char> fixed_;           // corners, and nodes on creases
   std::vector<char> loose_;           // vertices that are not where they would fit
   std::vector<Eigen::Index> patch_;   // patch of each outer vertex
   std::vector<Eigen::Index> pinned_;  // vertex of each corner
@@ -323,11 +323,10 @@ FittedGrid<dim>::FittedGrid(const Shape<dim>& shape, double longest, int body) {
       corners.col(a) = position.col(nodes[static_cast<std::size_t>(a)]);
     const Quality quality = quality_of<dim>(corners);
     volume += quality.volume;
-    require(
-        quality.least_jacobian > 0,
-        "solid.body.{}: the element near ({:.4g}) would be turned inside out where it follows the outline; "
-        "make solid.fem.element shorter than {:.3g} m",
-        body, fmt::join(corners.rowwise().mean().eval(), ", "), side.maxCoeff());
+    require(quality.least_jacobian > 0,
+            "solid.body.{}: the element near ({:.4g}) would be inverted by following the outline; make "
+            "solid.fem.element shorter than {:.3g} m",
+            body, fmt::join(corners.rowwise().mean().eval(), ", "), side.maxCoeff());
   }
   const double share = volume / ShapeMoments<dim>(shape).volume;
   require(std::abs(share - 1) < most_lost,

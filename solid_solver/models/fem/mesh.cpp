@@ -68,14 +68,14 @@ void Mesh<dim>::hold(const v1::Body& body, int index) {
       held_[n].fill(true);
       any = true;
     }
-    require(any, "solid.body.{}.clamp.{}: no node of the mesh lies in it; make solid.fem.element <= {:.3g} m",
+    require(any, "solid.body.{}.clamp.{}: contains no node of the mesh; make solid.fem.element <= {:.3g} m",
             index, clamps_.size() - 1, side().minCoeff() / 2);
   }
   const auto free = [](const Axes<dim>& held) {
     return std::find(held.begin(), held.end(), false) != held.end();
   };
   require(std::any_of(held_.begin(), held_.end(), free),
-          "solid.body.{}: it is held all over; choose solid.model = \"rigid\"", index);
+          "solid.body.{}: all of it is held; choose solid.model = \"rigid\"", index);
 }
 
 template <int dim>
@@ -126,8 +126,7 @@ typename Mesh<dim>::Place Mesh<dim>::place(const Vec<dim>& x) const {
   }
   if (best.element < 0)
     throw NumericalError(
-        fmt::format("solid: no element near the point ({}), which is to follow it; make "
-                    "solid.fem.element shorter",
+        fmt::format("solid: no element near the interface point ({}); make solid.fem.element shorter",
                     fmt::join(x.begin(), x.end(), ", ")));
   return best;
 }

@@ -56,7 +56,7 @@ class Mesh {
 
   Shape<dim> shape_;
   FittedGrid<dim> grid_;
-  double margin_;               // what rounding may be off [m]
+  double margin_;               // tolerance for rounding [m]
   std::vector<Box<dim>> near_;  // box of each fitted element, for the point search
   ElementBins<dim> bins_;       // bins of these boxes
   std::vector<Shape<dim>> clamps_;

@@ -36,7 +36,7 @@ Interpolation MeshedBodies<dim>::interpolation(const Field& position, const std:
     const Mesh<dim>& mesh = bodies_.at(b).mesh();
     if (mesh.only_in_clamp(x)) continue;
     require(mesh.outside(x) <= (0.5 + rounding) * spacing_,
-            "solid: the point ({}) lies {:.3g} m outside body {}, which it is to follow",
+            "solid: the interface point ({}) lies {:.3g} m outside its body {}",
             fmt::join(x.begin(), x.end(), ", "), mesh.outside(x), b);
     const auto place = mesh.place(x);
     const auto N = QuadraticElement<dim>::values(place.xi);
@@ -110,14 +110,12 @@ void MeshedBodies<dim>::check_motion(const Window& window, const Vectors& v) con
       const double speed = (velocity.col(n) - mean).norm();
       if (speed <= limit) continue;  // false for NaN
       const Vec<dim> x = bodies_[b].mesh().position().col(n);
-      throw NumericalError(fmt::format(
-          "solid: the node at ({:.6g}) of body {}, when undeformed, moves at {:.4g} m/s against the body's "
-          "mean in the window from t = {:.6g} s; the material's waves make {:.4g} m/s. The load may "
-          "alternate "
-          "from window to window (coupling.load = \"ramped\", a shorter time.window), or the body is too "
-          "soft "
-          "or too light for it",
-          fmt::join(x.begin(), x.end(), ", "), b, speed, window.start, limit));
+      throw NumericalError(
+          fmt::format("solid: the node at ({:.6g}) of body {}, when undeformed, moves at {:.4g} m/s relative "
+                      "to the body's mean in the window from t = {:.6g} s; the limit is {:.4g} m/s, the wave "
+                      "speed of the material. The load may alternate from window to window (coupling.load = "
+                      "\"ramped\", a shorter time.window), or the body is too soft or too light",
+                      fmt::join(x.begin(), x.end(), ", "), b, speed, window.start, limit));
     }
   }
 }

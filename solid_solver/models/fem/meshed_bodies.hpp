@@ -1,4 +1,4 @@
-// All bodies of a scene as finite elements: what the models on them share.
+// All bodies of a scene as finite elements: common code of the models on them.
 #pragma once
 
 #include <vector>

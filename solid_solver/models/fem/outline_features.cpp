@@ -123,7 +123,7 @@ class Tracing {
     }
     const std::vector<Point> found = corners_;
     for (const Point p : found) trace_from(p);
-    for (Point p = 0; p < points; ++p) trace_from(p);  // what is left are rings
+    for (Point p = 0; p < points; ++p) trace_from(p);  // the remaining ones are rings
   }
 
   const std::vector<Point>& corners() const { return corners_; }

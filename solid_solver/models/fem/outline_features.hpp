@@ -1,4 +1,4 @@
-// Where an outline is sharp, and what lies between.
+// Sharp edges of an outline, and the faces between them.
 #pragma once
 
 #include <array>

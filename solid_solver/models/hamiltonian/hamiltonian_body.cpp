@@ -310,7 +310,7 @@ std::unique_ptr<SolidModel> make_hamiltonian(const v1::Solid& solid, double spac
         return std::make_unique<HamiltonianBody<dim>>(body, number, stencil, substance,
                                                       solid.hamiltonian().stabilisation());
       },
-      ". Or the material, st_venant_kirchhoff, has given way in compression (solid.model = \"fem\" with "
+      ". Or the material, st_venant_kirchhoff, has collapsed in compression (solid.model = \"fem\" with "
       "solid.material = \"neo_hookean\")");
 }
 

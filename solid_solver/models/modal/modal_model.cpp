@@ -132,7 +132,7 @@ void ModalModel<dim>::restore(const std::string& text) {
   for (auto& modes : states_) {
     const std::size_t count = modes.size();
     state.get(modes);
-    require(modes.size() == count, "saved state: {} modes, not {}; it is of another case", modes.size(),
+    require(modes.size() == count, "saved state: {} modes, not {}; it belongs to another case", modes.size(),
             count);
   }
   state.finish();

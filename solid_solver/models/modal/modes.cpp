@@ -42,10 +42,9 @@ Modes lowest_modes(const fem::FemBody<dim>& body, const Elasticity& material, in
   const auto found = solver.compute(Spectra::SortRule::LargestMagn, most_restarts, tolerance,
                                     Spectra::SortRule::SmallestAlge);
   if (solver.info() != Spectra::CompInfo::Successful)
-    throw NumericalError(
-        fmt::format("solid: {} of {} modes found in {} restarts; ask for fewer by "
-                    "solid.modal.modes, or for longer elements by solid.fem.element",
-                    found, count, most_restarts));
+    throw NumericalError(fmt::format(
+        "solid: {} of {} modes found in {} restarts; lower solid.modal.modes or raise solid.fem.element",
+        found, count, most_restarts));
   Modes modes{.omega_squared = solver.eigenvalues(), .shapes = solver.eigenvectors()};
   for (int i = 0; i < count; ++i) {
     if (modes.omega_squared[i] < -rounding * sigma) modes.omega_squared[i] = 0;

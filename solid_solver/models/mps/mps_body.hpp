@@ -57,7 +57,7 @@ class MpsBody : public particles::ParticleBody<dim> {
   using Base::displacement_, Base::velocity_, Base::load_, Base::load_change_, Base::ramp_increment_;
   using Base::grid_, Base::stencil_, Base::substance_, Base::mass_, Base::present_, Base::free_;
 
-  /// What a neighbour does: constants of the pair sums.
+  /// Constants of the pair sums with a neighbour.
   struct Bond {
     Eigen::Index shift;          // to the neighbour's slot
     std::array<double, dim> r0;  // [m]
@@ -86,7 +86,7 @@ class MpsBody : public particles::ParticleBody<dim> {
   Pose present() const { return {displacement_, rotation_}; }
   Pose look_ahead();
   void measure_dilatation(const Pose& strained) const;
-  void measure_at_rest() const;  // without what the velocities add to strains
+  void measure_at_rest() const;  // without the contribution of velocities to strains
   Acceleration internal_acceleration(const Pose& strained, Eigen::Index i) const;
   void accelerate(const Pose& strained, double dt, double load_fraction);
   void move(double dt, double load_fraction);

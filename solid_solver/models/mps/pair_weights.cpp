@@ -60,7 +60,7 @@ Eigen::SparseMatrix<double> moments(const std::vector<Link>& links, std::size_t 
     const Link& link = links[column];
     const Neighbor<dim>& n = stencil.neighbors[link.neighbor];
     const Vec<dim> direction = n.r0 / n.length;
-    // What of a pair's energy a clamp's side of it would have had is the free particle's.
+    // The part of a pair's energy on the side of a clamp belongs to the free particle.
     const double scale = link.ends_in_clamp ? 2 * link.reach * link.reach : 1;
     int part = 0;
     for (int a = 0; a < dim; ++a) {
@@ -102,7 +102,7 @@ Eigen::VectorXd solve_weights(const std::vector<Link>& links, const particles::B
   weight += solver.solve(whole - matrix * weight);
   if (solver.info() != Eigen::Success)
     throw NumericalError(
-        fmt::format("solid: weights of pairs were not found, residual {:.2g} after {} iterations",
+        fmt::format("solid: the pair weights did not converge: residual {:.2g} after {} iterations",
                     solver.error(), solver.iterations()));
   return weight;
 }

@@ -1,4 +1,4 @@
-// What the pairs of a body of MPS particles weigh.
+// Weights of the pairs of a body of MPS particles.
 #pragma once
 
 #include <vector>
@@ -23,7 +23,7 @@ struct PairWeights {
   double bending;            ///< stiffness of pairs against different rotations, over theirs [m2] (S38)
 };
 
-/// The lattice's weights w wherever there are two particles (the paper).
+/// The lattice's weights w for all pairs of particles (Amaro & Cheng).
 template <int dim>
 PairWeights<dim> lattice_weights(const particles::BodyGrid<dim>& grid,
                                  const particles::Stencil<dim>& stencil);

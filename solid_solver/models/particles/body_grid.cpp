@@ -65,7 +65,7 @@ void BodyGrid<dim>::check(int index) const {
     return std::find(axes.begin(), axes.end(), false) != axes.end();
   };
   require(std::any_of(held_axes_.begin(), held_axes_.end(), any_free),
-          "solid.body.{}: it is held all over; choose solid.model = \"rigid\"", index);
+          "solid.body.{}: all of it is held; choose solid.model = \"rigid\"", index);
 }
 
 template <int dim>

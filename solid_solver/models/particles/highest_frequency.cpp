@@ -33,8 +33,8 @@ double highest_frequency(std::size_t unknowns,
   constexpr double tolerance = 1e-4;
   solver.compute(Spectra::SortRule::LargestAlge, 1000, tolerance);
   if (solver.info() != Spectra::CompInfo::Successful)
-    throw NumericalError("solid: the highest frequency of a body was not found");
-  // What the tolerance may leave out, so that the limit is one.
+    throw NumericalError("solid: the highest frequency of a body did not converge");
+  // Margin for the tolerance, so that the result is an upper limit.
   return std::sqrt(solver.eigenvalues()[0] * (1 + tolerance));
 }
 

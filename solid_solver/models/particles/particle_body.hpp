@@ -1,4 +1,4 @@
-// What all bodies of particles have: their lattice, their motion and their loads.
+// Common code of all bodies of particles: lattice, motion and loads.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace cosurge::particles {
 
-/// What a body of particles is made of, whatever its forces.
+/// Properties of a body of particles, for any forces.
 template <int dim>
 struct Substance {
   Elasticity material;
@@ -20,7 +20,8 @@ struct Substance {
   double retardation = 0;   ///< tau of Kelvin and Voigt's stress, S(E + tau dE/dt) [s] (S40)
 };
 
-/// Particles on the slots of a BodyGrid, moved by explicit sub-steps; what pulls them is the derived class's.
+/// Particles on the slots of a BodyGrid, moved by explicit sub-steps; the derived class computes their
+/// forces.
 template <int dim>
 class ParticleBody {
  public:

@@ -42,7 +42,8 @@ typename ParticleModel<dim>::Row ParticleModel<dim>::interpolation_row(const Bod
   positions.reserve(near.size());
   for (const std::size_t p : near) positions.push_back(grid.positions()[p]);
   const Eigen::VectorXd coefficients = moving_least_squares<dim>(x, positions, radius);
-  require(coefficients.size() > 0, "solid: no body near the point ({}), which is to follow it",
+  require(coefficients.size() > 0,
+          "solid: no particles near the interface point ({}); make solid.spacing smaller",
           fmt::join(x.begin(), x.end(), ", "));
   Row row;
   for (std::size_t j = 0; j < near.size(); ++j) row.emplace_back(near[j], coefficients[static_cast<long>(j)]);
@@ -86,15 +87,14 @@ void ParticleModel<dim>::check_motion(const Window& window) const {
       const double speed = (velocity.col(p) - mean).norm();
       if (speed <= limit) continue;  // false for NaN
       const Vec<dim>& x = bodies_[b]->grid().positions()[static_cast<std::size_t>(p)];
-      throw NumericalError(fmt::format(
-          "solid: particle {} of body {}, at ({:.6g}) when undeformed, moves at {:.4g} m/s against the "
-          "body's "
-          "mean in the window from t = {:.6g} s; the material's waves make {:.4g} m/s. Either the sub-step "
-          "of "
-          "{:.3g} s is unstable here (lower {}.step_fraction or substep), or the load is: it may alternate "
-          "from window to window (coupling.load = \"ramped\"), or the body is too soft or too light for it{}",
-          p, b, fmt::join(x.begin(), x.end(), ", "), speed, window.start, limit, last_dt_, steps_.key,
-          steps_.else_runs_away));
+      throw NumericalError(
+          fmt::format("solid: particle {} of body {}, at ({:.6g}) when undeformed, moves at {:.4g} m/s "
+                      "relative to the body's mean in the window from t = {:.6g} s; the limit is {:.4g} m/s, "
+                      "the wave speed of the material. Either the sub-step of {:.3g} s is unstable (lower "
+                      "{}.step_fraction or substep), or the load alternates from window to window "
+                      "(coupling.load = \"ramped\"), or the body is too soft or too light{}",
+                      p, b, fmt::join(x.begin(), x.end(), ", "), speed, window.start, limit, last_dt_,
+                      steps_.key, steps_.else_runs_away));
     }
   }
 }

@@ -17,14 +17,13 @@ class ParticleModel : public SolidModel {
  public:
   using Bodies = std::vector<std::unique_ptr<ParticleBody<dim>>>;
 
-  /// What the case says of sub-steps, and the longest stable one [s].
+  /// Sub-steps set in the case, and the longest stable one [s].
   struct Steps {
-    std::string key;   ///< key of the case's table: "solid.mps"
-    double stable;     ///< [s]
-    double fraction;   ///< step as a share of the stable one
-    double fixed = 0;  ///< instead [s], where not 0
-    std::string else_runs_away =
-        {};  ///< what else than a step or a load makes particles run away, and a remedy
+    std::string key;                  ///< key of the case's table: "solid.mps"
+    double stable;                    ///< [s]
+    double fraction;                  ///< step as a share of the stable one
+    double fixed = 0;                 ///< instead [s], where not 0
+    std::string else_runs_away = {};  ///< further reason for instability, and a remedy
   };
 
   /// @throws Error for a fixed sub-step beyond the stable one.

@@ -1,4 +1,4 @@
-// The neighbours of a particle on the full lattice, and what follows from them alone.
+// The neighbours of a particle on the full lattice, and constants from them.
 #pragma once
 
 #include <Eigen/Core>

@@ -24,7 +24,8 @@ Interpolation RigidModel<dim>::interpolation(const Field& position, const std::v
   Interpolation H(position.cols(), nodes());
   for (Eigen::Index point = 0; point < position.cols(); ++point) {
     const int b = body[static_cast<std::size_t>(point)];
-    require(b >= 0 && b < bodies(), "solid: a point of body {}, but there are {}", b, bodies());
+    require(b >= 0 && b < bodies(), "solid: the interface has a point of body {}, but there are {} bodies", b,
+            bodies());
     const auto own = static_cast<std::size_t>(b);
     const Vec<dim> way = (Vec<dim>(position.col(point)) - middle(own)) / length(own);
     H.insert(point, b * per_body) = 1 - way.sum();

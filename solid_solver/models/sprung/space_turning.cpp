@@ -49,9 +49,8 @@ void SpaceTurning::check_springs(const Eigen::Quaterniond& after) const {
   if (!has_springs() || (rotation_vector(after) - rotation_vector(attitude)).norm() < std::numbers::pi)
     return;
   throw NumericalError(
-      "a rigid body has turned by half a turn; springs and preloads about turn_x, turn_y and turn_z are "
-      "defined up to "
-      "there (make them stiffer, or leave them out)");
+      "a rigid body has turned by 180 degrees, the limit for springs and preloads about turn_x, turn_y and "
+      "turn_z (make them stiffer, or omit them)");
 }
 
 void SpaceTurning::step(const Moment& moment, double dt) {
@@ -75,10 +74,10 @@ void SpaceTurning::step(const Moment& moment, double dt) {
     momentum += change;
     return;
   }
-  throw NumericalError(fmt::format(
-      "a rigid body turns at {:.3g} rad/s, and its moment of {:.3g} N m is too much for a step of {:.3g} s "
-      "(shorten time.window)",
-      speed().norm(), moment(before).norm(), dt));
+  throw NumericalError(
+      fmt::format("a rigid body turns at {:.3g} rad/s, and its moment of {:.3g} N m is too large for a step "
+                  "of {:.3g} s (shorten time.window)",
+                  speed().norm(), moment(before).norm(), dt));
 }
 
 }  // namespace cosurge::sprung

@@ -34,7 +34,7 @@ class SprungBody {
   /// the rotation: translations are exact in time.
   int advance(double window, const Nodal& first, const Nodal& last);
 
-  /// Its nodes where it is drawn [m].
+  /// Initial positions of its nodes [m].
   Field position() const;
 
   /// M a [N] for a rigid body, whose acceleration between the nodes is affine like its motion.

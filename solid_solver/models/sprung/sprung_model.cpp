@@ -41,8 +41,8 @@ int SprungModel<dim>::advance(const Window& window, const NodalLoad& load) {
     substeps = std::max(substeps, taken);
     if (!std::isfinite(bodies_[b].energies().kinetic))
       throw NumericalError(
-          fmt::format("solid: body {} moves at no finite speed in the window from t = {:.6g} s: "
-                      "its load runs away (a shorter time.window, or a heavier body)",
+          fmt::format("solid: the speed of body {} is not finite in the window from t = {:.6g} s: its load "
+                      "is unstable (use a shorter time.window, or a heavier body)",
                       b, window.start));
   }
   total_load_ = load.last.rowwise().sum();

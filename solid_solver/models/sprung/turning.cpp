@@ -24,10 +24,10 @@ void Turning::step(const Couple& couple, double dt) {
     speed = 2 * change / dt - speed;
     return;
   }
-  throw NumericalError(fmt::format(
-      "a rigid body turns at {:.3g} rad/s, and its moment of {:.3g} N m is too much for a step of {:.3g} s "
-      "(shorten time.window)",
-      speed, couple.across, dt));
+  throw NumericalError(
+      fmt::format("a rigid body turns at {:.3g} rad/s, and its moment of {:.3g} N m is too large for a step "
+                  "of {:.3g} s (shorten time.window)",
+                  speed, couple.across, dt));
 }
 
 }  // namespace cosurge::sprung

@@ -31,12 +31,12 @@ const Scene scenes[] = {
     {"MillisecondsAsSeconds", "amplitude = [0.02, 0], frequency = 1000",
      "fluid.obstacle.0.motion: moves at 126 m/s"},
     {"AStepOfATable", "table = [[0, 0, 0, 0], [0.3, 0, 0, 0], [0.3001, 0.05, 0, 0]]",
-     "times as fast as a fall"},
+     "times the speed of a fall"},
     {"IntoTheSide", "table = [[0, 0, 0, 0], [1, 0.9, 0, 0]]",
-     "takes the obstacle into the side of the tank at t = 0."},
+     "moves the obstacle into the side of the tank at t = 0."},
     {"IntoTheFloor", "table = [[0, 0, 0, 0], [1, 0, -0.1, 0]]",
-     "takes the obstacle into the floor of the tank"},
-    {"ByTurning", "angle = 1.0, pivot = [0.1, 0], frequency = 0.5", "takes the obstacle into the"},
+     "moves the obstacle into the floor of the tank"},
+    {"ByTurning", "angle = 1.0, pivot = [0.1, 0], frequency = 0.5", "moves the obstacle into the"},
     {"OutAtTheTop", "table = [[0, 0, 0, 0], [1, 0, 0.4, 0]]", ""},
 };
 
@@ -77,16 +77,18 @@ struct Number {
 
 const Number numbers[] = {
     {"AsItIs", "title=x", ""},
-    {"GravityUpwards", "gravity=[0.0, 9.81]", "gravity: 9.81 m/s2 along y points out of the tank"},
+    {"GravityUpwards", "gravity=[0.0, 9.81]",
+     "gravity: 9.81 m/s2 along y points out of the open top of the tank"},
     {"GravityInMillimetres", "gravity=[0.0, -9810.0]",
-     "gravity: 9810 m/s2 is outside what is usual, 1 to 30 m/s2"},
+     "gravity: 9810 m/s2 is outside the usual range 1 to 30 m/s2"},
     {"NoGravity", "gravity=[0.0, 0.0]", ""},
-    {"WaterInGramsACubicCentimetre", "fluid.density=1.0", "fluid.density: 1 kg/m3 is outside what is usual"},
+    {"WaterInGramsACubicCentimetre", "fluid.density=1.0",
+     "fluid.density: 1 kg/m3 is outside the usual range"},
     {"SolidInGramsACubicCentimetre", "solid.density=2.5",
-     "solid.density: 2.5 kg/m3 is outside what is usual"},
+     "solid.density: 2.5 kg/m3 is outside the usual range"},
     {"Foam", "solid.density=30", ""},
     {"ModulusInGigapascals", "solid.young_modulus=210",
-     "solid.young_modulus: 210 Pa is outside what is usual"},
+     "solid.young_modulus: 210 Pa is outside the usual range"},
     {"Steel", "solid.young_modulus=2.1e11", ""},
 };
 

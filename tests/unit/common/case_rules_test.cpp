@@ -14,7 +14,7 @@ using ::testing::HasSubstr;
 using testing::line_of;
 using ::testing::StartsWith;
 
-/// A line of the good case, what it is replaced by, and the one error that must come of it. `place` is a
+/// A line of the valid case, its replacement, and the one error that must follow. `place` is a
 /// piece of the line that the error names; empty for the spoiled line itself.
 struct Spoiled {
   std::string name;
@@ -102,7 +102,7 @@ const Spoiled table[] = {
      "solid.body.0.box: is 2 spacings thick, must be at least 3: a spacing of 0.006667 m at most, or a "
      "thicker body"},
     {"SpacingThatDoesNotDivide", "spacing = 0.01", "spacing = 0.012",
-     "nearest that divide every box: 0.01 below, none above"},
+     "the nearest values that divide every box are 0.01 below and none above"},
     {"BoxOffTheLattice", "max = [0.3, 0.3] }", "max = [0.303, 0.3] }",
      "does not divide fluid.tank (0.303 is 30.3 spacings)", "spacing"},
     {"SolidSpacingThatDoesNotDivide", "density       = 2500.0", "density = 2500.0\nspacing = 0.003",
@@ -124,27 +124,25 @@ const Spoiled table[] = {
      "quantity = \"moment\"\nposition = [0.2, 0.05]",
      "output.probe.1.position: must lie in or on a body or an obstacle", "position = [0.2"},
     {"PressureDeepInABody", "position = [0.1, 0.05]", "position = [0.118, 0.05]",
-     "output.probe.1.position: lies 0.018 m within a body: pressure is that on its surface, which is nearest "
-     "at "
-     "(0.1, 0.05)"},
+     "output.probe.1.position: lies 0.018 m inside a body: pressure is measured on its surface, whose "
+     "nearest point is (0.1, 0.05)"},
     {"ShapeThatIsNothing", "{ min = [0.15, 0.0], max = [0.2, 0.2] }", "{ min = [0.15, 0.0] }",
      "fluid.water.1: must have either min and max, or outline", "water   ="},
     {"ThinObstacle",
      "source  =", "obstacle = [{ shape = { min = [0.2, 0.0], max = [0.22, 0.1] } }]\nsource  =",
      "fluid.obstacle.0.shape: is 2 spacings thick, must be at least 4"},
     {"MotionWithoutAFrequency", "source  =", "tank_motion = { amplitude = [0.1, 0.0] }\nsource  =",
-     "fluid.tank_motion.frequency: must be > 0 [Hz] where there is an amplitude"},
+     "fluid.tank_motion.frequency: must be > 0 [Hz] if there is an amplitude"},
     {"ProbeNameTwice", "name = \"P1\"", "name   = \"tip\"", "output.probe.1.name: \"tip\" is taken"},
     {"ProbeNameOfTheWatersOwn", "name = \"P1\"", "name = \"max_speed\"",
-     "output.probe.1.name: \"max_speed\" makes the column max_speed, which the results of the fluid solver "
-     "have"},
+     "output.probe.1.name: \"max_speed\" needs the column max_speed, which the fluid solver already writes"},
     {"ProbeNameLikePhases", "name = \"P1\"", "name = \"seconds_total\"",
-     "output.probe.1.name: \"seconds_total\" makes the column seconds_total, which"},
+     "output.probe.1.name: \"seconds_total\" needs the column seconds_total, which"},
     {"ProbeNameThatADirectionHas", "name = \"P1\"", "name = \"tip_x\"",
-     "output.probe.1.name: \"tip_x\" makes the column tip_x, which output.probe.0 (\"tip\") makes, too"},
+     "output.probe.1.name: \"tip_x\" needs the column tip_x, which output.probe.0 (\"tip\") needs too"},
     {"ProbeNameWithASpace", "name = \"P1\"", "name = \"P 1\"",
-     "output.probe.1.name: must be made of letters"},
-    {"ProbeWithoutAName", "name = \"P1\"", "name = \"\"", "output.probe.1.name: must be made of letters"},
+     "output.probe.1.name: must consist of letters"},
+    {"ProbeWithoutAName", "name = \"P1\"", "name = \"\"", "output.probe.1.name: must consist of letters"},
     {"WindowBeyondTheEnd", "window = 1.0e-3", "window = 0.2", "time.window: 0.2 must be <= time.end = 0.1"},
     {"FramesCloserThanWindows", "frame_interval = 0.01", "frame_interval = 0.0005",
      "output.frame_interval: 0.0005 must be >= time.window = 0.001"},
@@ -183,7 +181,7 @@ TEST(CaseRules, ProbesMayHaveNamesThatOnlyTheOtherSolverHas) {
       "output.probe=[{ name = \"load\", quantity = \"force\", position = [0.12, 0.05] }, "
       "{ name = \"load_y\", quantity = \"pressure\", position = [0.1, 0.05] }]"};
   EXPECT_THAT(errors_of(text.file(), two),
-              HasSubstr("makes the column load_y, which output.probe.0 (\"load\")"));
+              HasSubstr("needs the column load_y, which output.probe.0 (\"load\")"));
 }
 
 TEST(CaseRules, ProbesOffABodyByARoundingAreMovedOntoIt) {
@@ -213,7 +211,7 @@ const std::string cantilever = std::string(COSURGE_SOURCE_DIR) + "/cases/cantile
 TEST(CaseRules, CouplingNeedsBothAFluidAndASolid) {
   for (const std::string& file : {hydrostatic, cantilever})
     EXPECT_THAT(errors_of(file, {"coupling.scheme=weak"}),
-                HasSubstr("coupling: only where there are a [fluid] and a [solid]"));
+                HasSubstr("coupling: allowed only if the case has a [fluid] and a [solid]"));
 }
 
 TEST(CaseRules, AddedMassNeedsWaterThatAnswersVelocities) {
@@ -221,7 +219,7 @@ TEST(CaseRules, AddedMassNeedsWaterThatAnswersVelocities) {
   for (const std::string scheme : {"weak_inertial", "strong_inertial"}) {
     const std::string word = "coupling.scheme=" + scheme;
     EXPECT_THAT(errors_of(text.file(), {word, "fluid.source=deviation"}),
-                HasSubstr("coupling.scheme: " + scheme + " needs water that answers velocities"));
+                HasSubstr("coupling.scheme: " + scheme + " needs a source with the velocity divergence"));
     EXPECT_EQ(errors_of(text.file(), {word}), "");
   }
 }
@@ -281,7 +279,7 @@ TEST(CaseRules, WhatHoldsABodyMovesInOneWay) {
   EXPECT_THAT(errors_of(CaseText().file(), {"solid.body.0.motion={ amplitude = [0.01, 0.0] }"}),
               HasSubstr("solid.body.0.motion.frequency: must be > 0"));
   EXPECT_THAT(errors_of(CaseText().file(), {motion, "solid.body.0.clamp=[]"}),
-              HasSubstr("solid.body.0.motion: is that of what holds the body, and nothing holds it"));
+              HasSubstr("solid.body.0.motion: is the motion of what holds the body, but nothing holds it"));
 }
 
 TEST(CaseErrors, ArePlacedAtTheNearestKeyThatStandsInTheFile) {

@@ -113,7 +113,7 @@ TEST(Channel, GivesUpWhenPatienceIsOverAndSaysWhomItWaitedFor) {
         v1::Request next;
         end.receive(next, "its answer to advance");
       },
-      ThrowsMessage<PeerLost>(AllOf(HasSubstr("the fluid solver: nothing heard within 0.3 s"),
+      ThrowsMessage<PeerLost>(AllOf(HasSubstr("the fluid solver: no message within 0.3 s"),
                                     HasSubstr("its answer to advance was awaited"))));
   EXPECT_GE(seconds_since(start), 0.3);
   EXPECT_LT(seconds_since(start), 2);  // room for a busy machine

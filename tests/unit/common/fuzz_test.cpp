@@ -1,4 +1,4 @@
-// What anybody may send: neither side may crash or hang on it.
+// Arbitrary messages: neither side may crash or hang.
 #include <google/protobuf/stubs/logging.h>
 #include <gtest/gtest.h>
 
@@ -73,7 +73,7 @@ TEST(Fuzz, NoRequestCrashesOrHangsASolver) {
     coupler.send(abort);  // where the broken request was taken for a right one
     serve(*fluid, solver, token);
   });
-  EXPECT_EQ(refused, rounds);  // by what is wrong or by the abort
+  EXPECT_EQ(refused, rounds);  // with an error or by the abort
 }
 
 /// The replies of a legal run to welcome, initialize and advance.

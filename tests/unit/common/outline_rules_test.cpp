@@ -58,7 +58,7 @@ TEST(OutlinedBodies, StandWhereTheirOutlineIsNamed) {
 
 TEST(OutlinedBodies, OfTheWrongDimensionAreRefused) {
   EXPECT_THAT(OutlinedBody("solid\n", "shape.stl").errors(),
-              HasSubstr("a scene of two dimensions takes a polygon, x, y a line"));
+              HasSubstr("a scene of two dimensions needs a polygon, with one corner x, y per line"));
   const testing::ScratchFolder folder;
   std::ofstream(folder.path() / "shape.csv") << plate;
   std::ofstream(folder.path() / "case.toml") << R"(title = "Polygon in space"
@@ -67,7 +67,7 @@ gravity = [0, 0, 0]
 time = { end = 0.1, window = 1e-3 }
 solid = { spacing = 0.01, density = 1, young_modulus = 1, body = [{ shape = { outline = "shape.csv" } }] }
 )";
-  EXPECT_THAT(errors_of(folder.path().string()), HasSubstr("a scene of three dimensions takes an STL"));
+  EXPECT_THAT(errors_of(folder.path().string()), HasSubstr("a scene of three dimensions needs an STL file"));
 }
 
 TEST(OutlinedBodies, MustEncloseParticlesInOnePieceInsideTheTank) {
@@ -76,16 +76,15 @@ TEST(OutlinedBodies, MustEncloseParticlesInOnePieceInsideTheTank) {
   EXPECT_THAT(OutlinedBody("0.1, 0\n0.101, 0\n0.14, 0.1\n0.139, 0.1\n").errors(),
               HasSubstr("solid.body.0.shape: encloses no particles with a spacing of 0.01 m"));
   EXPECT_THAT(OutlinedBody("0.1, 0\n0.14, 0\n0.121, 0.05\n0.14, 0.1\n0.1, 0.1\n0.119, 0.05\n").errors(),
-              HasSubstr("solid.body.0.shape: falls into 2 parts with a spacing of 0.01 m"));
+              HasSubstr("solid.body.0.shape: consists of 2 separate parts with a spacing of 0.01 m"));
   EXPECT_THAT(OutlinedBody("0.1, 0\n0.14, 0\n0.14, 0.1\n0.1, 0.31\n").errors(),
               HasSubstr("solid.body.0.shape: must lie inside fluid.tank"));
 }
 
 TEST(OutlinedBodies, InMillimetresAreToldSo) {
-  EXPECT_THAT(
-      OutlinedBody("100, 0\n140, 0\n140, 100\n100, 100\n").errors(),
-      HasSubstr("solid.body.0.shape: must lie inside fluid.tank; it reaches from (100, 0) to (140, 100) m; "
-                "where its file is in mm, give scale = 0.001"));
+  EXPECT_THAT(OutlinedBody("100, 0\n140, 0\n140, 100\n100, 100\n").errors(),
+              HasSubstr("solid.body.0.shape: must lie inside fluid.tank; it reaches from (100, 0) to (140, "
+                        "100) m; if its file is in mm, set scale = 0.001"));
   const CaseText scaled("box   = { min = [0.1, 0.0], max = [0.14, 0.1] }",
                         "shape = { outline = \"shape.csv\", scale = 0.001 }");
   std::ofstream(std::filesystem::path(scaled.file()).parent_path() / "shape.csv")
@@ -180,7 +179,7 @@ TEST(NotClosed, KnowsTrianglesWithAHoleOrTheWrongWayAround) {
     turned.set_vertex(3 + axis, shape.vertex(6 + axis));
     turned.set_vertex(6 + axis, shape.vertex(3 + axis));
   }
-  EXPECT_THAT(not_closed(turned, 3), HasSubstr("ordered differently around, at the edge from (0, 0, 0)"));
+  EXPECT_THAT(not_closed(turned, 3), HasSubstr("have opposite orientations, at the edge from (0, 0, 0)"));
   shape.mutable_vertex()->Truncate(27);
   EXPECT_THAT(not_closed(shape, 3), HasSubstr("leave a hole"));
 }

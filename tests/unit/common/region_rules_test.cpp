@@ -46,12 +46,12 @@ const Polygon polygons[] = {
     {"Turned", "0,-0.26\n0.1,-0.26\n0.1,-0.2\n0,-0.2\n", "", ", rotate = [90]"},
     {"Crossing", "0.2,0\n0.26,0.1\n0.26,0\n0.2,0.1\n", key + "the polygon crosses itself: the sides from"},
     {"Doubled", "0.2,0\n0.26,0\n0.26,0.1\n0.2,0.1\n0.2,0\n0.26,0\n0.26,0.1\n0.2,0.1\n",
-     key + "the polygon goes around twice"},
+     key + "the polygon overlaps itself"},
     {"TwoCorners", "0.2,0\n0.26,0\n", key + "the outline has 2 corners, needs at least 3"},
     {"OnALine", "0.2,0.1\n0.23,0.1\n0.26,0.1\n", key},
     {"ThinnerThanASpacing", "0.201,0\n0.204,0\n0.204,0.1\n0.201,0.1\n",
-     key + "holds no particle with a spacing of 0.01 m: it is too thin"},
-    {"InMillimetres", "200,0\n260,0\n260,100\n200,100\n", "; where its file is in mm, give scale = 0.001"},
+     key + "contains no particle with a spacing of 0.01 m: it is too thin"},
+    {"InMillimetres", "200,0\n260,0\n260,100\n200,100\n", "; if its file is in mm, set scale = 0.001"},
     {"InMillimetresByItsHeader", "x [mm],y [mm]\n200,0\n260,0\n260,100\n",
      "o.csv:1: x is in mm, must be in m"},
     {"Beside", "0.4,0\n0.46,0\n0.46,0.1\n",
@@ -82,7 +82,7 @@ TEST(RegionRules, ScaleRotateAndShiftAreForOutlines) {
 TEST(RegionRules, WaterNeedsAParticleThatNothingElseTakes) {
   const CaseText text("source  =",
                       "obstacle = [{ shape = { min = [0.15, 0.0], max = [0.2, 0.2] } }]\nsource  =");
-  EXPECT_THAT(errors_of(text.file()), HasSubstr("fluid.water.1: holds no particle of water"));
+  EXPECT_THAT(errors_of(text.file()), HasSubstr("fluid.water.1: contains no water particle"));
 }
 
 TEST(RegionRules, AClampInTheTankNeedsAnObstacleAroundIt) {

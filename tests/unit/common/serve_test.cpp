@@ -122,10 +122,10 @@ TEST_F(ServiceTest, RefusesACouplerOfAnotherProtocolOrRunInWords) {
   welcome.mutable_welcome()->set_protocol(99);
   EXPECT_THAT([&] { service.answer(welcome); },
               ThrowsMessage<Error>(
-                  HasSubstr("the coupler cosurge 0.1.0 speaks protocol 99, this mock_fluid 0.1.0 speaks 2")));
+                  HasSubstr("the coupler cosurge 0.1.0 uses protocol 99, this mock_fluid 0.1.0 uses 2")));
   Service other(*fluid, "another token");
   EXPECT_THAT([&] { other.answer(testing::welcome_request(token)); },
-              ThrowsMessage<Error>(HasSubstr("shows the token of another run")));
+              ThrowsMessage<Error>(HasSubstr("has the token of another run")));
 }
 
 TEST_F(ServiceTest, RefusesARequestOutOfSequence) {
@@ -147,7 +147,7 @@ TEST_F(ServiceTest, RefusesASceneOfADimensionThatItCannotCompute) {
   Service only_3d(*fluid, token);
   only_3d.answer(testing::welcome_request(token));
   EXPECT_THAT([&] { only_3d.answer(testing::initialize_request(2)); },
-              ThrowsMessage<Error>("mock_fluid does not compute in 2 dimensions [initialize]"));
+              ThrowsMessage<Error>("mock_fluid does not support 2 dimensions [initialize]"));
 }
 
 TEST_F(ServiceTest, RefusesALoadForTheFluid) {
@@ -181,9 +181,8 @@ TEST_F(ServiceTest, RefusesAnotherAttemptAtAWindowWhoseStartIsNotRemembered) {
   bring_to(State::running);
   attempt(5, 1)();
   attempt(5, 2)();
-  EXPECT_THAT(
-      attempt(6, 3),
-      ThrowsMessage<Error>(HasSubstr("attempt 3 at a window that is not the one of attempt 2 just before")));
+  EXPECT_THAT(attempt(6, 3),
+              ThrowsMessage<Error>(HasSubstr("attempt 3 is at another window than attempt 2 before it")));
 }
 
 TEST_F(ServiceTest, RefusesASecondAttemptWithoutAFirst) {

@@ -31,7 +31,7 @@ TEST(StateBytes, ComeBackInTheirOrder) {
   EXPECT_EQ(words, "words");
 }
 
-// What another build has written: sizes that are none.
+// States of another build: invalid sizes.
 TEST(StateBytes, OfAnotherLayoutAreRefusedWhateverTheirNumbersSay) {
   Eigen::MatrixXd matrix;
   std::vector<double> list;

@@ -76,7 +76,7 @@ class Stranger {
   bool connected_;
 };
 
-/// Who says it has a key (ZMTP 3.0).
+/// A connection that claims to have a key (ZMTP 3.0).
 std::string curve_greeting() {
   return "\xff" + std::string(8, '\0') + "\x7f\x03" + std::string(1, '\0') + "CURVE" + std::string(15, '\0') +
          std::string(32, '\0');
@@ -96,7 +96,7 @@ Channel solver_of(const Channel& coupler) {
 
 TEST(Strangers, WhoseHandshakesFailDoNotStopTheOtherSolver) {
   const testing::ScratchFolder folder;
-  const Channel knocked_at = Channel::listen("tcp://127.0.0.1:*", {.peer = "b"});  // nobody looks at it
+  const Channel knocked_at = Channel::listen("tcp://127.0.0.1:*", {.peer = "b"});  // not read by anyone
   Channel coupler =
       Channel::listen("ipc://" + (folder.path() / "wire").string(), {.peer = "a", .patience = 5});
   Channel solver = solver_of(coupler);

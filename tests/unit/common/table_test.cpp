@@ -18,7 +18,7 @@ using ::testing::HasSubstr;
 
 const std::vector<TableColumn> three = {{"time", "s"}, {"x", "m"}, {"angle", "rad"}};
 
-/// What is read from a file with these bytes, or what is said of it.
+/// The numbers read from a file with these bytes, or the error message.
 struct Outcome {
   std::vector<double> values;
   std::string error;
@@ -104,27 +104,27 @@ const std::string numbers = "must be 3 numbers: time [s], x [m], angle [rad]";
 
 const BadForm bad_forms[] = {
     {"DecimalCommasAndTabs", "0,000\t0,000\t0,0\n1,500\t0,250\t0,1\n",
-     "t.csv:1: " + numbers + "; \"0,000\" has a comma, and tabs part the numbers"},
+     "t.csv:1: " + numbers + "; \"0,000\" has a comma, but tabs separate the numbers"},
     {"DecimalCommasAndTwoTabbedColumns", "0\t0\t0\n1,500\t0,250\n",
      "t.csv:2: " + numbers + "; \"1,500\" has a comma"},
     {"DecimalCommasAndBlanks", "0,0 0,0 0,0\n", "t.csv:1: " + numbers},
     {"DecimalCommasAndCommas", "0,000,0,000,0,000\n",
      "t.csv:1: " + numbers + "; \"000\" looks like the end of"},
     {"DecimalCommasOfOneDigit", "0,0,0,0,0,0\n1,5,0,2,0,1\n",
-     "here are 6 (part numbers with decimal commas by"},
+     "this line has 6 (separate numbers with decimal commas by"},
     {"ThousandsOrDecimals", "1,500;2,250;3,125\n",
-     "t.csv:1: \"1,500\" may be 1.500 or 1500; write numbers with a decimal point"},
-    {"ThousandsAndDecimals", "0;0;0\n1.234,5;0;0\n", "t.csv:2: " + numbers + "; \"1.234,5\" is none"},
-    {"TooFew", "0,0,0\n\n1,0\n", "t.csv:3: " + numbers + "; here are 2"},
-    {"TooMany", "0,0,0,0\n", "t.csv:1: " + numbers + "; here are 4"},
+     "t.csv:1: \"1,500\" can mean 1.500 or 1500; write numbers with a decimal point"},
+    {"ThousandsAndDecimals", "0;0;0\n1.234,5;0;0\n", "t.csv:2: " + numbers + "; \"1.234,5\" is not a number"},
+    {"TooFew", "0,0,0\n\n1,0\n", "t.csv:3: " + numbers + "; this line has 2"},
+    {"TooMany", "0,0,0,0\n", "t.csv:1: " + numbers + "; this line has 4"},
     {"AMissingCell", "0,,0\n", "t.csv:1: " + numbers + "; one is missing"},
-    {"AWord", "0,0,0\n1,n/a,0\n", "t.csv:2: " + numbers + "; \"n/a\" is none"},
+    {"AWord", "0,0,0\n1,n/a,0\n", "t.csv:2: " + numbers + "; \"n/a\" is not a number"},
     {"AnErrorOfTheSpreadsheet", "0,0,0\n1,#DIV/0!,0\n", "t.csv:2: " + numbers},
     {"Infinity", "0,0,0\n1,inf,0\n", "t.csv:2: " + numbers + "; inf is not finite"},
     {"Nan", "0,nan,0\n", "t.csv:1: " + numbers + "; nan is not finite"},
     {"TooLarge", "0,1e999,0\n", "t.csv:1: " + numbers + "; 1e999 is not finite"},
     {"AVeryLongWord", "0,0,0\n" + std::string(100000, 'x') + ",0,0\n",
-     "t.csv:2: " + numbers + "; \"" + std::string(40, 'x') + "...\" is none"},
+     "t.csv:2: " + numbers + "; \"" + std::string(40, 'x') + "...\" is not a number"},
     {"AMillionCells",
      "0,0,0\n" +
          [] {
@@ -133,7 +133,7 @@ const BadForm bad_forms[] = {
            return many;
          }() +
          "\n",
-     "t.csv:2: " + numbers + "; here are 1000000"},
+     "t.csv:2: " + numbers + "; this line has 1000000"},
     {"AMinusOfTypography",
      "0,0,0\n1,\xE2\x88\x92"
      "0.05,0\n",
@@ -142,17 +142,17 @@ const BadForm bad_forms[] = {
      "0,0,0\n1,\xC2\xA0"
      "0.05,0\n",
      "t.csv:2: " + numbers},
-    {"ExponentOfFortran", "0,0,0\n1,5.0D-02,0\n", "\"5.0D-02\" is none"},
-    {"Hexadecimal", "0,0,0\n1,0x1,0\n", "\"0x1\" is none"},
-    {"TimesOfDay", "00:00:01,0,0\n", "\"00:00:01\" is none"},
-    {"ANumberOfRows", "2\n0 0 0\n1 0 0\n", "t.csv:1: " + numbers + "; here are 1"},
+    {"ExponentOfFortran", "0,0,0\n1,5.0D-02,0\n", "\"5.0D-02\" is not a number"},
+    {"Hexadecimal", "0,0,0\n1,0x1,0\n", "\"0x1\" is not a number"},
+    {"TimesOfDay", "00:00:01,0,0\n", "\"00:00:01\" is not a number"},
+    {"ANumberOfRows", "2\n0 0 0\n1 0 0\n", "t.csv:1: " + numbers + "; this line has 1"},
     {"ASecondHeader", "time,x,angle\n0,0,0\ntime,x,angle\n1,0,0\n", "t.csv:3: " + numbers},
     {"AQuoteThatDoesNotEnd", "0,0,0\n1,\"0.05,0\n", "t.csv:2: " + numbers},
-    {"Bars", "0|0|0\n", "\"0|0|0\" is none"},
+    {"Bars", "0|0|0\n", "\"0|0|0\" is not a number"},
     {"OtherTimes", "t [ms],x [m],angle [rad]\n0,0,0\n", "t.csv:1: time is in ms, must be in s"},
-    {"TwoPoints", "0,1.2.3,0\n", "\"1.2.3\" is none"},
-    {"AUnitBehindANumber", "0,5 mm,0\n", "\"5 mm\" is none"},
-    {"Percent", "0,5%,0\n", "\"5%\" is none"},
+    {"TwoPoints", "0,1.2.3,0\n", "\"1.2.3\" is not a number"},
+    {"AUnitBehindANumber", "0,5 mm,0\n", "\"5 mm\" is not a number"},
+    {"Percent", "0,5%,0\n", "\"5%\" is not a number"},
     {"OtherLengths", "t [s],x [mm],angle [rad]\n0,0,0\n", "t.csv:1: x is in mm, must be in m"},
     {"OtherAngles", "t [s],x [m],angle [deg]\n0,0,0\n", "t.csv:1: angle is in deg, must be in rad"},
     {"ALineOfOtherUnits", "time,x,angle\ns,mm,rad\n0,0,0\n", "t.csv:2: x is in mm, must be in m"},
@@ -192,7 +192,7 @@ TEST(MotionTables, HaveTimeCoordinatesAndAngle) {
   EXPECT_THAT(MovingTank("table = \"m.csv\"", "0,0,0,0\n1,2,3,4\n").rows(),
               ElementsAre(0, 0, 0, 0, 1, 2, 3, 4));
   EXPECT_THAT(errors_of(MovingTank("table = \"m.csv\"", "0,0\n1,2\n").text.file()),
-              HasSubstr("m.csv:1: must be 4 numbers: time [s], x [m], y [m], angle [rad]; here are 2"));
+              HasSubstr("m.csv:1: must be 4 numbers: time [s], x [m], y [m], angle [rad]; this line has 2"));
 }
 
 TEST(MotionTables, OfTwoColumnsHaveTheCoordinateThatTheCaseNames) {
@@ -227,7 +227,7 @@ TEST(MotionTables, StartAtAnyTimeAndGoForward) {
       errors_of(MovingTank("table = \"m.csv\"", "t,x,y,angle\n0,0,0,0\n2,0,0,0\n1,2,3,4\n").text.file()),
       HasSubstr("m.csv:4: times must increase: 1 s after 2 s"));
   EXPECT_THAT(errors_of(MovingTank("table = \"m.csv\"", "0,0,0,0\n").text.file()),
-              HasSubstr("m.csv: has 1 rows of time [s], x [m], y [m], angle [rad]; needs two at least"));
+              HasSubstr("m.csv: has 1 rows of time [s], x [m], y [m], angle [rad]; needs at least two"));
 }
 
 TEST(CaseFile, MayHaveAByteOrderMarkAndEndsOfLinesOfAnySystem) {

@@ -46,7 +46,7 @@ TEST(AutomaticCoupling, BecomesStrongWhereTheWaterIsHeavyAndSaysWhy) {
   const AutomaticRun run(5, 1000);
   EXPECT_GE(run.iterated, 990);
   EXPECT_THAT(run.piston.coupler->notes(),
-              ElementsAre(HasSubstr("strong from here: an error of the velocity")));
+              ElementsAre(HasSubstr("coupling scheme changes to strong: velocity-error gain")));
   EXPECT_LT(std::abs(run.piston.history.height.back()), 1);  // it swings by centimetres
 }
 

@@ -1,4 +1,4 @@
-// What the page of a report is made of.
+// The data of the report page.
 #include <zlib.h>
 
 #include <cmath>

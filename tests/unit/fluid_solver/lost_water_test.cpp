@@ -84,8 +84,8 @@ TEST(LostWater, EndsTheRunWhereItIsMoreThanAllowed) {
     lost.after_step(scene.particles, 0.2);
     FAIL();
   } catch (const NumericalError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("2 of 10 particles of water (20 %) have left the tank by t = 0.2 s: "
-                                        "2 at x = 1 m; fluid.most_lost = 0.1 allows 10 %"));
+    EXPECT_THAT(error.what(), HasSubstr("2 of 10 water particles (20 %) have left the tank by t = 0.2 s: 2 "
+                                        "at x = 1 m; fluid.most_lost = 0.1 allows 10 %"));
   }
 }
 

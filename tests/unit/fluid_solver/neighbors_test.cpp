@@ -42,7 +42,7 @@ Lists listed(const Neighbors<dim>& neighbors, const Particles<dim>& particles) {
   return lists;
 }
 
-/// All pairs, in ascending order; dummies ask for nobody.
+/// All pairs, in ascending order; dummies have no neighbours.
 template <int dim>
 Lists all_pairs(const Particles<dim>& particles, double re) {
   Lists lists(particles.x.size());

@@ -1,4 +1,4 @@
-// Probes that move with what they are fixed to.
+// Probes that move with the object they are fixed to.
 #include "fluid_solver/probes.hpp"
 
 #include <gtest/gtest.h>

@@ -118,7 +118,7 @@ TEST(WallLoad, DoesNotPushWhereAnotherWallCovers) {
   const double weight = rho_g * 0.1 * 0.1;
   EXPECT_NEAR(step.force[1], -weight, 0.01 * weight);
   EXPECT_NEAR(step.force[0], 0, 0.01 * weight);
-  // And the floor carries what stands on it, with 0.1 m left out.
+  // And the floor carries the water above it, with 0.1 m left out.
   const Load<2> floor = load(tank_with({box({0.2, 0}, {0.3, 0.1})}), floor_side, {0, 0});
   EXPECT_NEAR(floor.force[1], -rho_g * 0.2 * 0.5, 0.01 * rho_g * 0.2 * 0.5);
 }

@@ -1,4 +1,4 @@
-// Bodies that touch: momentum, energy and what is said of it, for every model in two and three dimensions.
+// Contact: momentum, energy and messages, for every model in two and three dimensions.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -99,7 +99,7 @@ TEST_P(Contact, ABlockThatStandsOnTheFloorIsCarriedByItsWeight) {
     impulse += run.value(up("contact_load")) * dt;
     lowest = std::min(lowest, run.value("gravity_energy") / (mass * g));
   }
-  // What is left of the momentum: |p| <= sqrt(2 m E), and the sub-step of `mps`.
+  // Remaining momentum: |p| <= sqrt(2 m E), and the sub-step of `mps`.
   const double momentum = std::sqrt(2 * mass * run.value("kinetic_energy")) + mass * g * run.setup.substep;
   EXPECT_NEAR(impulse, mass * g * run.time, momentum + 1e-9 * impulse);
   EXPECT_LT(momentum, 0.02 * mass * g * run.time);

@@ -73,7 +73,7 @@ TYPED_TEST(DeformableBody, AffineMotionIsInBalanceInside) {
               1e-11 * at_faces);  // rounding of positions, 1e-16 of 24 l0, over strains of 0.1
   }
   EXPECT_GT(inside, TypeParam::local ? 10 : -1);
-  // What the faces pull adds up to nothing.
+  // The forces of the faces sum to zero.
   EXPECT_LT(force.rowwise().sum().norm(), TypeParam::rounding * at_faces);
   if (!TypeParam::whole_energy) return;
   const Response<2> response = respond<2>(turn(angle) * stretch() - Mat<2>::Identity(), block.material());

@@ -115,8 +115,8 @@ TEST(FemBody, TangentIsTheDerivativeOfTheForce) {
   }
 }
 
-/// Deflection of the tip of the paper's plate under its weight across, linear, by the elements through its
-/// thickness [m].
+/// Deflection of the tip of the plate of Amaro & Cheng under its weight across, linear, by the elements
+/// through its thickness [m].
 template <int dim>
 double sag(double poisson_ratio, int elements) {
   const double width = 0.012 / elements;  // in space: one element, held across

@@ -75,7 +75,7 @@ TEST(FemModel, BendsUnderAUniformDeadLoadAsTheElasticaDoes) {
   }
 }
 
-/// What the paper's plate does, let go under a sideways gravity.
+/// Motion of the plate of Amaro & Cheng, released under a lateral gravity.
 struct Swing {
   double frequency;              // [Hz]
   double amplitude;              // amplitude of the tip [m]
@@ -229,7 +229,7 @@ void tumble(double omega, int steps) {
     ASSERT_TRUE(report.converged) << "step " << k << " residual " << report.residual;
     kinetic = std::max(kinetic, 0.5 * motion.velocity().dot(body.momentum(motion.velocity())));
   }
-  // The mid-point rule keeps linear momentum to rounding, and energy but for what is not linear.
+  // The mid-point rule conserves linear momentum to rounding, and energy except for nonlinear terms.
   const Field w = body.to_nodes(motion.velocity());
   const Vector unit = body.from_nodes(Field(Field::Ones(dim, w.cols())));
   const double mass = unit.dot(body.momentum(unit)) / dim;

@@ -90,7 +90,7 @@ TEST(Modes, GraysCantileverHasItsPeriod) {
 }
 
 TEST(ModalModel, MovesAsTheElementsDoWhereDeflectionIsSmall) {
-  // A pulse of 40 ms on the paper's plate: the tip moves 0.16 mm.
+  // A pulse of 40 ms on the plate of Amaro & Cheng: the tip moves 0.16 mm.
   const auto tip = [](v1::SolidModel::Word model) {
     v1::Case c = test::plate({});
     c.mutable_solid()->set_model(model);

@@ -1,4 +1,4 @@
-// What every deformable model must do behind its participant.
+// Common tests of every deformable model with its participant.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -329,7 +329,7 @@ TEST_P(Words, SeveralBodiesMoveAsTheyDoAlone) {
   EXPECT_GT(work, 0);
   Field each(2, 40);
   each << alone.surface.displacement, alone_too.surface.displacement;
-  // The bits are the same but for `hamiltonian`, whose stable step is that of the stiffest body.
+  // Bit-identical except for `hamiltonian`, whose stable step is that of the stiffest body.
   EXPECT_LT((together.surface.displacement - each).cwiseAbs().maxCoeff(), 1e-3 * each.cwiseAbs().maxCoeff());
 }
 

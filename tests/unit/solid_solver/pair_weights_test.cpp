@@ -56,7 +56,7 @@ void expect_whole_moments() {
     const particles::BodyGrid<dim> grid(block<dim>(clamped), 0, stencil);
     // The tolerance of the iteration, 1e-12 of the sum over all particles.
     EXPECT_LT(worst_moment(whole_weights(grid, stencil), grid, stencil), 1e-9) << dim << clamped;
-    // A corner of the paper's body has a quarter, an eighth of the lattice's neighbours.
+    // A corner of the body has a quarter, an eighth of the lattice's neighbours.
     EXPECT_GT(worst_moment(lattice_weights(grid, stencil), grid, stencil), 0.5) << dim << clamped;
   }
 }
@@ -102,7 +102,7 @@ double uniaxial_energy(v1::SolidMps::Pairs pairs) {
 }
 
 TEST(PairWeights, ABodyUnderTensionHasTheContinuumsEnergyToItsCorners) {
-  // What is not linear is of the order of the strain, 1e-6.
+  // Nonlinear terms are of the order of the strain, 1e-6.
   EXPECT_NEAR(uniaxial_energy<2>(v1::SolidMps::corrected), 1, 1e-5);
   EXPECT_NEAR(uniaxial_energy<3>(v1::SolidMps::corrected), 1, 1e-5);
   EXPECT_LT(uniaxial_energy<2>(v1::SolidMps::paper), 0.95);

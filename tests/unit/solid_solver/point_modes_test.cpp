@@ -1,4 +1,4 @@
-// Modes tell what the model answers, also where the bodies have turned.
+// Modes predict the response of the model, also for rotated bodies.
 #include "solid_solver/point_modes.hpp"
 
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ struct Asked {
   }
   Field places() const { return interface.position + surface.displacement; }
 
-  /// What modes miss of the answer to another load in the next window, over the answer.
+  /// Error of the modes for another load in the next window, relative to the response.
   double missed(const Field& load, const Field& other, double size) {
     surface.force = load;
     advance(size, 1);
@@ -95,7 +95,7 @@ TEST_P(RollingModes, TurnWithTheTank) {
   EXPECT_LT((now - expected).norm(), 1e-6 * drawn.norm());  // the first window has turned by some 1e-8
   // The answer is seen at the end of the window, the load half a window before: 1e-3 s of some 5 rad/s.
   const double half_a_window = 5e-3;
-  const double others = model == Word::modal || model == Word::sprung ? 0 : 0.15;  // what 12 modes leave out
+  const double others = model == Word::modal || model == Word::sprung ? 0 : 0.15;  // modes after the 12th
   EXPECT_LT(run.missed(none, 10 * now, 1e-3), half_a_window + others);
 }
 

@@ -61,7 +61,7 @@ TEST(Sprung, ADamperTakesItsShareOfEverySwing) {
   const double period = 2 * std::numbers::pi / (omega * std::sqrt(1 - ratio * ratio));
   const double first = run.value(run.advance(period), "tip_y"),
                second = run.value(run.advance(period), "tip_y");
-  // What is left of the first swing at rest's start moves the ratio by 5e-5 at most.
+  // The rest of the first oscillation changes the ratio by 5e-5 at most.
   EXPECT_NEAR(std::log(first / second) / (ratio * omega * period), 1, 1e-4);
 }
 

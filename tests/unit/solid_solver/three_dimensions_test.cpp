@@ -120,7 +120,7 @@ TEST_P(SpaceMps, ForceIsTheDerivativeOfTheEnergy) {
 
 TEST_P(SpaceMps, AFreeTurningBodyKeepsItsMomentaAndItsEnergy) {
   mps::MpsBody<3> body = particles_with_rotation(brick(0.004, 0.005, 0.007, false, l0), GetParam());
-  // Turns about all axes, and is bent and twisted by what is not linear.
+  // Rotates about all axes, and is bent and twisted by nonlinear terms.
   for (std::size_t p = 0; p < body.grid().positions().size(); ++p) {
     const Vec<3>& X = body.grid().positions()[p];
     const Vec<3> omega(40, -30, 50);
@@ -290,7 +290,7 @@ TEST_P(SpaceModels, WorkIsTheChangeOfEnergyAndAStateComesBackBitForBit) {
     work = now;
     energy = run.value(report, "kinetic_energy") + run.value(report, "elastic_energy");
   }
-  // As in the plane: the ripple of explicit steps; the mid-point rule but for what is not linear; rounding.
+  // As in the plane: the ripple of explicit steps; the mid-point rule except for nonlinear terms; rounding.
   const double off = particles ? 2e-3 : GetParam() == v1::SolidModel::fem ? 1e-5 : 1e-11;
   EXPECT_NEAR(energy, work, off * gross);
   EXPECT_GT(run.surface.displacement.cwiseAbs().maxCoeff(), 1e-5);

@@ -97,7 +97,7 @@ export function verdictLines(root, runs) {
   root.replaceChildren(...runs.map((run) => {
     const verdict = run.document.verdict;
     if (!verdict) return "";
-    const names = {good: "no objection", doubt: "with reserve", bad: "not to be trusted"};
+    const names = {good: "no objection", doubt: "check the warnings", bad: "unreliable"};
     return element("p", {className: `verdict ${verdict.level}`}, element("b", {textContent: names[verdict.level]}),
                    ` ${runs.length > 1 ? run.document.name + ": " : ""}${verdict.text}`);
   }));
