@@ -5,6 +5,8 @@
 
 #include "coupler/added_mass_ratio.hpp"
 #include "coupler/interface_account.hpp"
+#include "coupler/observer.hpp"
+#include "proto/case.pb.h"
 
 namespace cosurge {
 
@@ -13,9 +15,6 @@ struct Participants {
   Participant* fluid = nullptr;
   Participant* solid = nullptr;
 };
-
-/// What the participants said of a window, those that are there: fluid first.
-using Reports = std::vector<Report>;
 
 /// What a scheme says of the last window.
 struct Effort {
