@@ -13,7 +13,8 @@ namespace fs = std::filesystem;
 fs::path folder_of_this_code() {
   Dl_info object{};
   if (dladdr(reinterpret_cast<const void*>(&program_path), &object) == 0) return {};
-  fs::path folder = fs::absolute(object.dli_fname).lexically_normal().parent_path();
+  // Without links: the loader may have come by /lib, which leads to /usr/lib.
+  fs::path folder = fs::canonical(object.dli_fname).parent_path();
   // The loader prefers what is built for the processor: lib/glibc-hwcaps/x86-64-v3/.
   if (folder.parent_path().filename() == "glibc-hwcaps") folder = folder.parent_path().parent_path();
   return folder;

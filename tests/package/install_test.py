@@ -43,10 +43,12 @@ class Installation(unittest.TestCase):
         environment = dict(os.environ, PKG_CONFIG_PATH=str(cls.prefix / cls.library / "pkgconfig"))
         flags = output("pkg-config", "--cflags", "--libs", "cosurge", env=environment).split()
         output(COMPILER, "-std=c++20", "-O2", CONSUMER / "main.cpp", "-o", cls.by_pkg_config, *flags)
+        (cls.folder / "lib").symlink_to(cls.prefix / cls.library)
         cls.case = cls.prefix / "share/cosurge/cases/dam_break_plate"
 
     def run_consumer(self, program, *arguments):
-        environment = dict(os.environ, LD_LIBRARY_PATH=str(self.prefix / self.library), OMP_WAIT_POLICY="passive")
+        """With the library found by a link, as Debian's /lib leads to /usr/lib: from there /libexec is not beside it."""
+        environment = dict(os.environ, LD_LIBRARY_PATH=str(self.folder / "lib"), OMP_WAIT_POLICY="passive")
         return output(program, self.case, *arguments, env=environment, cwd=self.folder)
 
     def test_a_consumer_computes_the_same_in_process_and_over_the_wire_however_it_was_compiled(self):
