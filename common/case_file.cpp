@@ -7,11 +7,10 @@
 #include "common/case_overrides.hpp"
 #include "common/case_rules.hpp"
 #include "common/case_tables.hpp"
+#include "common/case_text.hpp"
 #include "common/error.hpp"
 #include "common/snap_probes.hpp"
-#include "common/text_file.hpp"
 #include "common/toml.hpp"
-#include "common/toml_bounds.hpp"
 
 namespace cosurge {
 namespace {
@@ -222,23 +221,27 @@ void resolve(Message& message) {
   }
 }
 
-toml::table parse(const std::filesystem::path& file) {
-  constexpr std::uintmax_t most_bytes = 1 << 20;
-  std::error_code unknown;
-  const std::uintmax_t size = std::filesystem::file_size(file, unknown);
-  require(unknown || size <= most_bytes,
-          "{}: the file has {:.3g} MB; the limit for a case is 1 MB: put outlines and tables into separate "
-          "files beside the case",
-          file.string(), 1e-6 * static_cast<double>(size));
-  const std::string bytes = without_byte_order_mark(file_contents(file), file);
-  const std::string text = fmt::format("{}", fmt::join(lines_of(bytes), "\n")) + "\n";
-  require_short_keys(text, file.string());
-  require_ascii(text, file.string());
-  try {
-    return toml::parse(text, file.string());
-  } catch (const toml::parse_error& error) {
-    throw Error(fmt::format("{}:{}: {}", file.string(), error.source().begin.line, error.description()));
-  }
+/// `name`: of the case file in errors.
+v1::Case checked_case(toml::table root, const std::vector<std::string>& overrides, const std::string& name,
+                      const std::filesystem::path& folder) {
+  for (const std::string& text : overrides) apply_override(root, text);
+  require_known_schema(root);
+
+  v1::Case result;
+  CaseErrors errors;
+  errors.dimension = static_cast<int>(root["dimension"].value_or<std::int64_t>(result.dimension()));
+  Walk(errors).table(root, "", result);
+  errors.places[""] = name;
+  errors.raise();
+  if (result.has_fluid() && result.has_solid()) result.mutable_coupling();
+  result.mutable_output();
+  read_tables(result, folder, errors);
+  errors.raise();
+  resolve(result);
+  snap_probes(result);
+  check_rules(result, errors);
+  errors.raise();
+  return result;
 }
 
 }  // namespace
@@ -249,24 +252,14 @@ v1::Case load_case(const std::string& path, const std::vector<std::string>& over
   if (std::filesystem::is_directory(file, cause)) file /= "case.toml";
   const bool there = std::filesystem::is_regular_file(file, cause);
   require(there, "{}: no such case{}", file.string(), cause ? ": " + cause.message() : "");
-  toml::table root = parse(file);
-  for (const std::string& text : overrides) apply_override(root, text);
+  return checked_case(case_tree(case_text(file), file.string()), overrides, file.string(),
+                      file.parent_path());
+}
 
-  v1::Case result;
-  CaseErrors errors;
-  errors.dimension = static_cast<int>(root["dimension"].value_or<std::int64_t>(result.dimension()));
-  Walk(errors).table(root, "", result);
-  errors.places[""] = file.string();
-  errors.raise();
-  if (result.has_fluid() && result.has_solid()) result.mutable_coupling();
-  result.mutable_output();
-  read_tables(result, file.parent_path(), errors);
-  errors.raise();
-  resolve(result);
-  snap_probes(result);
-  check_rules(result, errors);
-  errors.raise();
-  return result;
+v1::Case read_case(const std::string& text, const std::vector<std::string>& overrides,
+                   const std::filesystem::path& folder) {
+  constexpr const char* name = "case";
+  return checked_case(case_tree(text, name), overrides, name, folder);
 }
 
 v1::Case change_case(const v1::Case& the_case, const std::vector<std::string>& overrides) {

@@ -1,6 +1,7 @@
 // Case files: TOML against the closed schema of proto/case.proto.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,10 @@ namespace cosurge {
 /// ("output.probe.0.name").
 /// @throws Error with all errors at once, one line each: "file:line: key: error, allowed values".
 v1::Case load_case(const std::string& path, const std::vector<std::string>& overrides = {});
+
+/// The same of the text of a case file, which errors call "case"; files that it names lie in `folder`.
+v1::Case read_case(const std::string& text, const std::vector<std::string>& overrides = {},
+                   const std::filesystem::path& folder = ".");
 
 /// A case that was read before, with some of its values changed; files that it names are not read again.
 /// @throws Error with all errors at once.

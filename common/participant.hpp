@@ -6,9 +6,16 @@
 #include <string>
 #include <vector>
 
-#include "proto/case.pb.h"
+namespace cosurge::v1 {
+class Case;  // proto/case.pb.h: for those who read the case
+}
 
 namespace cosurge {
+
+static_assert(
+    EIGEN_DEFAULT_ALIGN_BYTES == 64,
+    "compile with the flags of cosurge::cosurge (CMake) or cosurge (pkg-config): Eigen's arrays pass between "
+    "your program and libcosurge, and must be allocated alike");
 
 /// Vectors at points, one column a point: dimension x points.
 using Field = Eigen::MatrixXd;

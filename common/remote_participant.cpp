@@ -116,7 +116,11 @@ void RemoteParticipant::greet(const Expectation& expected) {
 void RemoteParticipant::refuse(const std::string& reason) {
   v1::Request request;
   request.mutable_refuse()->set_reason(reason);
-  channel_.send_last(request);
+  try {
+    channel_.send_last(request);
+  } catch (const PeerLost&) {
+    // Nobody is there to be told; the reason counts.
+  }
 }
 
 const Reply& RemoteParticipant::exchange(Reply::ResultCase expected) {

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
-#include <memory>
 #include <string>
 
 #include "common/channel.hpp"
@@ -53,9 +51,5 @@ class Service {
 /// Serves one run: sends Hello and answers until the run is finalized. Errors are reported to the coupler,
 /// where there still is one, and thrown.
 void serve(Participant& participant, Channel& channel, const std::string& token);
-
-/// The main function of a solver program: command line, threads, connection, serve(). Errors go to stderr.
-/// Returns 0 after a finalized run, 1 after an error, 2 for a wrong command line, 3 where the numbers failed.
-int serve_main(int argc, char** argv, const std::function<std::unique_ptr<Participant>()>& make);
 
 }  // namespace cosurge

@@ -1,3 +1,5 @@
+#include "common/serve_main.hpp"
+
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>

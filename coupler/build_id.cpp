@@ -29,8 +29,20 @@ std::string note_in(const char* bytes, std::size_t size) {
   return {};
 }
 
-/// The program itself is the first object that the system names.
+/// Whether the object has this function in one of its segments.
+bool holds_this_code(const dl_phdr_info& object) {
+  const auto here = reinterpret_cast<ElfW(Addr)>(&holds_this_code);
+  for (int k = 0; k < object.dlpi_phnum; ++k) {
+    const auto& segment = object.dlpi_phdr[k];
+    const ElfW(Addr) begin = object.dlpi_addr + segment.p_vaddr;
+    if (segment.p_type == PT_LOAD && begin <= here && here < begin + segment.p_memsz) return true;
+  }
+  return false;
+}
+
+/// Of the object that computes: the library where it is shared, else the program.
 int look(dl_phdr_info* object, std::size_t, void* result) {
+  if (!holds_this_code(*object)) return 0;
   for (int k = 0; k < object->dlpi_phnum; ++k) {
     const auto& segment = object->dlpi_phdr[k];
     if (segment.p_type != PT_NOTE) continue;

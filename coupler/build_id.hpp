@@ -5,8 +5,9 @@
 
 namespace cosurge {
 
-/// The number that the linker has made from the contents of this program, in hexadecimal: another one where
-/// any source or compiler option differs. Empty where the program has none.
+/// The number that the linker has made from the contents of what computes (the library where it is shared,
+/// else this program), in hexadecimal: another one where any source or compiler option differs. Empty where
+/// it has none.
 std::string build_id();
 
 }  // namespace cosurge

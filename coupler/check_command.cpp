@@ -9,11 +9,11 @@
 #include "common/case_doubts.hpp"
 #include "common/case_file.hpp"
 #include "common/error.hpp"
-#include "common/solvers.hpp"
 #include "common/window_sizes.hpp"
 #include "coupler/coupler.hpp"
 #include "coupler/report/case_picture.hpp"
 #include "coupler/say.hpp"
+#include "coupler/simulation.hpp"
 
 namespace cosurge {
 namespace {
@@ -29,7 +29,6 @@ class Stopwatch : public Observer {
     if (seen_ == warm_up + windows)
       seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - since_).count() / windows;
   }
-  void frame(double, const std::vector<Snapshot>&) override {}
   bool done() const { return seen_ >= warm_up + windows; }
   double seconds_per_window() const { return seconds_; }
 
@@ -47,18 +46,21 @@ void check_command(const std::string& case_path, const std::vector<std::string>&
   const v1::Case the_case = load_case(case_path, overrides);
   for (const std::string& doubt : doubts(the_case)) say("warning: {}\n", doubt);
   say("{}: the case file is valid; setting up the solvers ...\n", the_case.title());
-  const auto fluid = the_case.has_fluid() ? make_fluid_solver() : nullptr;
-  const auto solid = the_case.has_solid() ? make_solid_solver() : nullptr;
-  Coupler coupler(the_case, {.fluid = fluid.get(), .solid = solid.get()});
-  if (!picture.empty()) write_case_picture(picture, the_case, {.fluid = fluid.get(), .solid = solid.get()});
+  Simulation simulation(the_case);
+  simulation.begin();
+  if (!picture.empty())
+    write_case_picture(
+        picture, the_case,
+        {.fluid = simulation.participant(Role::fluid), .solid = simulation.participant(Role::solid)});
   say("  running {} windows to measure their time ...\n", Stopwatch::warm_up + Stopwatch::windows);
   Stopwatch stopwatch;
-  coupler.run({&stopwatch}, [&] { return stopwatch.done(); });
+  simulation.observe(stopwatch);
+  simulation.run([&] { return stopwatch.done(); });
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   const double windows = std::ceil(the_case.time().end() / expected_window(the_case));
   say("{}: the case is valid\n", the_case.title());
-  for (const Member& member : coupler.members()) {
+  for (const Member& member : simulation.members()) {
     say("  {:<12} {} particles", member.name, member.setup.particles);
     if (member.setup.substep > 0)
       say(", sub-steps of {:.3g} s ({:.0f} a window)", member.setup.substep,
@@ -68,7 +70,7 @@ void check_command(const std::string& case_path, const std::vector<std::string>&
   for (int b = 0; b < the_case.solid().body_size(); ++b)
     if (!is_held(the_case.solid(), the_case.solid().body(b)))
       say("  {:<12} solid.body.{}: no clamp or support holds it\n", "free", b);
-  say("  {:<12} {}\n", "interface", fmt::format("{} points", coupler.interface().points()));
+  say("  {:<12} {}\n", "interface", fmt::format("{} points", simulation.coupler().interface().points()));
   say("  {:<12} about {:.0f} of at most {:g} s, to t = {:g} s\n", "windows", windows,
       longest_window(the_case), the_case.time().end());
   say("  {:<12} {:.0f} MB\n", "memory", static_cast<double>(usage.ru_maxrss) / 1024);

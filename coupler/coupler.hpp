@@ -4,28 +4,11 @@
 #include <functional>
 #include <optional>
 
+#include "coupler/observer.hpp"
 #include "coupler/scheme.hpp"
 #include "coupler/window_schedule.hpp"
 
 namespace cosurge {
-
-/// A participant as progress, results and summary know it.
-struct Member {
-  std::string name;  ///< "fluid" or "solid"
-  Identity identity;
-  Setup setup;
-};
-
-/// Whoever looks on while a run goes: progress line and results.
-class Observer {
- public:
-  virtual ~Observer() = default;
-  /// After every window that stands: reports in the order of the members, then the coupler's own values by
-  /// Coupler::columns().
-  virtual void window(const Window& window, const Reports& reports, const std::vector<double>& coupling) = 0;
-  /// At every landing, and at the start.
-  virtual void frame(double time, const std::vector<Snapshot>& snapshots) = 0;
-};
 
 /// Runs a case with participants that may be anything.
 class Coupler {

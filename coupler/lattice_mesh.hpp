@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/participant.hpp"
+#include "proto/case.pb.h"
 
 namespace cosurge {
 

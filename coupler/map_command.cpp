@@ -9,11 +9,11 @@
 
 #include "common/case_file.hpp"
 #include "common/error.hpp"
-#include "common/solvers.hpp"
 #include "common/threads.hpp"
 #include "coupler/map_cell.hpp"
 #include "coupler/replace_file.hpp"
 #include "coupler/say.hpp"
+#include "coupler/simulation.hpp"
 #include "coupler/swing.hpp"
 #include "coupler/work_processes.hpp"
 
@@ -104,27 +104,27 @@ bool has_run(const std::string& row) { return !row.starts_with("refused") && !ro
 /// The row of a cell behind its values.
 std::string run_cell(const v1::Case& the_case) {
   set_threads(1);
-  const auto fluid = make_fluid_solver();
-  const auto solid = make_solid_solver();
-  std::unique_ptr<Coupler> coupler;
+  Simulation simulation(the_case);
   try {
     require(the_case.has_fluid() && the_case.has_solid(), "the case needs a [fluid] and a [solid]");
-    coupler = std::make_unique<Coupler>(the_case, Participants{fluid.get(), solid.get()});
+    simulation.begin();
   } catch (const std::exception& error) {
     return refusal(error.what());
   }
-  Swing swing(*coupler);
+  Swing swing(simulation.coupler());
+  simulation.observe(swing);
   std::string reason;
   try {
-    coupler->run({&swing}, [] { return false; });
+    simulation.run();
   } catch (const std::exception& error) {
     reason = error.what();
   }
   const char* state = reason.empty() ? swing.judgement() : "blown_up";
   return fmt::format("{},{:.6g},{},{:.3f},{},{:.4g},{:.4g},{:.4g},{:.6g},{:.6g},{:.6g},{:.6g},{:.2f},{}",
-                     state, swing.end(), swing.windows(), swing.iterations(), coupler->unconverged(),
-                     swing.largest_ratio(), swing.alternation(), swing.created(), swing.frequency(),
-                     swing.amplitude(), swing.peak(), swing.peak_time(), processor_seconds(), quoted(reason));
+                     state, swing.end(), swing.windows(), swing.iterations(),
+                     simulation.coupler().unconverged(), swing.largest_ratio(), swing.alternation(),
+                     swing.created(), swing.frequency(), swing.amplitude(), swing.peak(), swing.peak_time(),
+                     processor_seconds(), quoted(reason));
 }
 
 /// Runs a cell, unless the map has its row already.

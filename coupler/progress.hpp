@@ -17,7 +17,6 @@ class Progress : public Observer {
   ~Progress() override;
 
   void window(const Window& window, const Reports& reports, const std::vector<double>& coupling) override;
-  void frame(double, const std::vector<Snapshot>&) override {}
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -1,10 +1,7 @@
 #include "coupler/run_command.hpp"
 
 #include <filesystem>
-#include <iterator>
 #include <optional>
-#include <sstream>
-#include <thread>
 
 #include "common/case_doubts.hpp"
 #include "common/case_file.hpp"
@@ -13,13 +10,12 @@
 #include "coupler/checkpoint.hpp"
 #include "coupler/conclusion.hpp"
 #include "coupler/interruption.hpp"
-#include "coupler/launcher.hpp"
 #include "coupler/progress.hpp"
 #include "coupler/recorder.hpp"
 #include "coupler/result_folder.hpp"
 #include "coupler/resumption.hpp"
-#include "coupler/run_folder.hpp"
 #include "coupler/say.hpp"
+#include "coupler/simulation.hpp"
 
 namespace cosurge {
 namespace {
@@ -28,8 +24,6 @@ namespace fs = std::filesystem;
 
 constexpr int exit_failed = 1;
 constexpr int exit_interrupted = 130;
-constexpr std::chrono::milliseconds grace{2000};                 // for solvers to end by themselves
-constexpr std::chrono::milliseconds grace_of_interruption{200};  // the same, for a user who waits
 
 /// The endpoint where a solver that is started by hand is awaited; nothing where it is not.
 std::optional<std::string> by_hand(const RunOptions& options, const std::string& role) {
@@ -40,87 +34,18 @@ std::optional<std::string> by_hand(const RunOptions& options, const std::string&
   return std::nullopt;
 }
 
-Solver start(const RunOptions& options, Role role, const fs::path& sockets, const fs::path& folder) {
+/// Chooses who computes a role, and starts what computes elsewhere.
+void start(Simulation& simulation, const RunOptions& options, Role role, const fs::path& folder) {
   const bool fluid = role == Role::fluid;
   const std::string name = fluid ? "fluid" : "solid";
-  const std::string program = name + "_solver";
-  const int cores =
-      options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency());
-  const int threads = fluid ? cores : 1;  // the solid's loops are too short to share
+  const Reach reach{
+      .patience = options.patience, .threads = options.threads, .log = folder / (name + "_solver.log")};
   if (options.in_process)
-    return Solver::thread(fluid ? make_fluid_solver() : make_solid_solver(), options.patience, threads);
-  const auto endpoint = by_hand(options, name);
-  const Wiring wiring{.folder = sockets, .listen = endpoint.value_or(""), .patience = options.patience};
-  if (endpoint) {
-    Solver solver = Solver::by_hand(role, wiring, program);
-    say("start the {} solver:\n  {}\n", name, solver.how_to_start());
-    return solver;
-  }
-  Command command{
-      .program = beside_this_program(program), .arguments = {}, .log = folder / (program + ".log")};
-  if (!fluid && !options.solid.empty()) {
-    std::istringstream words(options.solid);
-    words >> command.program;
-    command.arguments.assign(std::istream_iterator<std::string>(words), {});
-  }
-  return Solver::process(role, wiring, command, threads);
+    return simulation.in_thread(fluid ? make_fluid_solver() : make_solid_solver(), reach);
+  if (const auto endpoint = by_hand(options, name))
+    return say("start the {} solver:\n  {}\n", name, simulation.by_hand(role, *endpoint, reach));
+  simulation.in_process(role, fluid ? "" : options.solid, reach);
 }
-
-/// The solvers of a case, started together and then welcomed.
-class Solvers {
- public:
-  Solvers(const RunOptions& options, const v1::Case& the_case, const fs::path& folder) {
-    if (the_case.has_fluid()) fluid_.emplace(start(options, Role::fluid, sockets_.path(), folder));
-    if (the_case.has_solid()) solid_.emplace(start(options, Role::solid, sockets_.path(), folder));
-    for (auto* solver : {&fluid_, &solid_})
-      if (*solver) (*solver)->join(the_case.dimension(), {"save", "frame"}, [this] { return cancelled(); });
-    joined_ = true;
-  }
-
-  Participants participants() {
-    return {.fluid = fluid_ ? &fluid_->participant() : nullptr,
-            .solid = solid_ ? &solid_->participant() : nullptr};
-  }
-
-  /// Time of the messages in addition to the solvers' computing time [s].
-  double exchange_seconds() const {
-    double sum = 0;
-    for (const auto* solver : {&fluid_, &solid_})
-      if (*solver) sum += (*solver)->participant().cost().exchange();
-    return sum;
-  }
-
-  /// Ends those that have not ended; all hear of it before any is waited for.
-  void stop(const std::string& reason) {
-    for (auto* solver : {&fluid_, &solid_})
-      if (*solver) (*solver)->tell(reason);
-    for (auto* solver : {&fluid_, &solid_}) {
-      if (!*solver) continue;
-      if (interrupted())
-        left_behind_ |= !(*solver)->kill(reason, grace_of_interruption);
-      else
-        (*solver)->stop(reason, grace);
-    }
-  }
-
-  /// Whether a solver still computes in a thread of this process.
-  bool left_behind() const { return left_behind_; }
-
- private:
-  /// Asked while a solver is waited for.
-  bool cancelled() {
-    if (joined_) return overdue();
-    for (auto* solver : {&fluid_, &solid_})
-      if (*solver) (*solver)->turn_away_strangers();
-    return interrupted();
-  }
-
-  RunFolder sockets_;
-  std::optional<Solver> fluid_;
-  std::optional<Solver> solid_;
-  bool joined_ = false;
-  bool left_behind_ = false;
-};
 
 /// A new case, or a resumption.
 struct Job {
@@ -156,15 +81,15 @@ std::unique_ptr<Recorder> make_recorder(const Job& job, const Coupler& coupler) 
 }
 
 /// All windows, and how it went.
-Outcome compute(const v1::Case& the_case, Coupler& coupler, Recorder& recorder,
-                CheckpointWriter& checkpoints) {
+Outcome compute(Simulation& simulation, Recorder& recorder, CheckpointWriter& checkpoints) {
   const auto by_signal = [&] {
-    return fmt::format("by {} at t = {:.6g} s", interruption().value_or("a signal"), coupler.time());
+    return fmt::format("by {} at t = {:.6g} s", interruption().value_or("a signal"), simulation.time());
   };
+  Progress progress(simulation.the_case(), simulation.members(), simulation.columns(), stdout);
+  for (Observer* observer : std::initializer_list<Observer*>{&recorder, &checkpoints, &progress})
+    simulation.observe(*observer);
   try {
-    Progress progress(the_case, coupler.members(), coupler.columns(), stdout);
-    if (coupler.run({&recorder, &checkpoints, &progress}, interrupted))
-      return {.status = "finished", .reason = ""};
+    if (simulation.run(interrupted)) return {.status = "finished", .reason = ""};
     recorder.flush();
     checkpoints.write();
     return {.status = "interrupted", .reason = by_signal()};
@@ -179,11 +104,12 @@ Outcome compute(const v1::Case& the_case, Coupler& coupler, Recorder& recorder,
   }
 }
 
-/// The run once the solvers are there. Returns the exit status.
-int run_with(Solvers& solvers, const Job& job) {
+/// The run once the solvers are started. Returns the exit status.
+int run_with(Simulation& simulation, const Job& job) {
   const auto& [the_case, folder, provenance, resumption] = job;
   say("{}\n", the_case.title());
-  Coupler coupler(the_case, solvers.participants());
+  simulation.begin();
+  Coupler& coupler = simulation.coupler();
   if (resumption != nullptr) {
     resumption->checkpoint.require_same_programs(coupler.members());
     coupler.restore(resumption->checkpoint.state, resumption->same_scheme);
@@ -196,9 +122,9 @@ int run_with(Solvers& solvers, const Job& job) {
 
   const auto recorder = make_recorder(job, coupler);
   CheckpointWriter checkpoints(folder, the_case, coupler);
-  Outcome outcome = compute(the_case, coupler, *recorder, checkpoints);
-  outcome.exchange_seconds = solvers.exchange_seconds();
-  solvers.stop(outcome.status == "finished" ? "the run is over" : outcome.reason);
+  Outcome outcome = compute(simulation, *recorder, checkpoints);
+  outcome.exchange_seconds = simulation.exchange_seconds();
+  simulation.end(outcome.status == "finished" ? "the run is over" : outcome.reason, interrupted());
   conclude(folder, coupler, *recorder, checkpoints.time(), outcome);
   if (outcome.status == "finished") return 0;
   return outcome.status == "interrupted" ? exit_interrupted : exit_failed;
@@ -208,10 +134,13 @@ int run_with(Solvers& solvers, const Job& job) {
 int launch(const RunOptions& options, const Job& job) {
   note_interruptions();
   try {
-    std::optional<Solvers> solvers(std::in_place, options, job.the_case, job.folder);
-    const int exit_status = run_with(*solvers, job);
-    const bool left_behind = solvers->left_behind();
-    solvers.reset();
+    std::optional<Simulation> simulation(std::in_place, job.the_case);
+    simulation->give_up_when(interrupted, overdue);
+    if (job.the_case.has_fluid()) start(*simulation, options, Role::fluid, job.folder);
+    if (job.the_case.has_solid()) start(*simulation, options, Role::solid, job.folder);
+    const int exit_status = run_with(*simulation, job);
+    const bool left_behind = simulation->left_behind();
+    simulation.reset();
     if (left_behind) std::_Exit(exit_status);  // a return would destroy objects that the thread still uses
     return exit_status;
   } catch (const std::exception&) {

@@ -5,6 +5,8 @@
 
 #include "coupler/added_mass_ratio.hpp"
 #include "coupler/interface_account.hpp"
+#include "coupler/observer.hpp"
+#include "proto/case.pb.h"
 
 namespace cosurge {
 
@@ -13,9 +15,6 @@ struct Participants {
   Participant* fluid = nullptr;
   Participant* solid = nullptr;
 };
-
-/// Reports of the participants on a window, fluid first.
-using Reports = std::vector<Report>;
 
 /// Report of a scheme on the last window.
 struct Effort {

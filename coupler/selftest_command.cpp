@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "common/solvers.hpp"
 #include "coupler/say.hpp"
+#include "coupler/simulation.hpp"
 #include "coupler/swing.hpp"
 
 namespace cosurge {
@@ -65,13 +65,13 @@ struct Outcome {
 };
 
 Outcome run(double mass, v1::Coupling::Scheme scheme) {
-  const auto fluid = make_fluid_solver();
-  const auto solid = make_solid_solver();
-  Coupler coupler(piston(mass, scheme), {.fluid = fluid.get(), .solid = solid.get()});
-  Swing swing(coupler);
+  Simulation simulation(piston(mass, scheme));
+  simulation.begin();
+  Swing swing(simulation.coupler());
+  simulation.observe(swing);
   Outcome outcome;
   try {
-    coupler.run({&swing}, [] { return false; });
+    simulation.run();
   } catch (const std::exception&) {
     outcome.ended = false;
   }

@@ -87,10 +87,6 @@ std::string last_line(const std::filesystem::path& log, std::uintmax_t begin) {
 
 }  // namespace
 
-std::filesystem::path beside_this_program(const std::string& name) {
-  return std::filesystem::read_symlink("/proc/self/exe").parent_path() / name;
-}
-
 SolverProcess::SolverProcess(const Command& command) : log_(command.log) {
   std::vector<std::string> words = {command.program.string()};
   words.insert(words.end(), command.arguments.begin(), command.arguments.end());

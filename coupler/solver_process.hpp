@@ -18,9 +18,6 @@ struct Command {
   std::filesystem::path log;  ///< the program's output is appended to it
 };
 
-/// Path of a program that lies in the same folder as the running one.
-std::filesystem::path beside_this_program(const std::string& name);
-
 /// Owns the child from its start to its end: no process is left behind, not even when this one is killed. The
 /// child waits passively in OpenMP, reads nothing, and ignores the interrupt from the keyboard, which is the
 /// coupler's.

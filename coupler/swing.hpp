@@ -15,7 +15,6 @@ class Swing : public Observer {
   explicit Swing(const Coupler& coupler);
 
   void window(const Window& window, const Reports& reports, const std::vector<double>& coupling) override;
-  void frame(double, const std::vector<Snapshot>&) override {}
 
   std::size_t windows() const { return time_.size(); }
   double end() const { return time_.empty() ? 0 : time_.back(); }  ///< [s]

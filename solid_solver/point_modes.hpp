@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "common/participant.hpp"
+#include "proto/case.pb.h"
 #include "solid_solver/solid_model.hpp"
 
 namespace cosurge {

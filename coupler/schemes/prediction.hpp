@@ -3,6 +3,7 @@
 
 #include "common/participant.hpp"
 #include "common/state_bytes.hpp"
+#include "proto/case.pb.h"
 
 namespace cosurge {
 

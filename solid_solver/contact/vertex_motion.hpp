@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "proto/case.pb.h"
 #include "solid_solver/solid_model.hpp"
 
 namespace cosurge::contact {

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "common/error.hpp"
+#include "proto/case.pb.h"
 #include "solid_solver/wrapped_model.hpp"
 
 namespace cosurge {

@@ -1,4 +1,5 @@
 """A headless browser with a page of Cosurge, and what one does with it."""
+import importlib.util
 import os
 import shutil
 import sys
@@ -11,9 +12,7 @@ SKIPPED = 77  # for ctest: SKIP_RETURN_CODE
 def require_browser():
     """Ends the test as skipped where there is no browser that can be driven."""
     missing = [name for name in ("chromium", "chromedriver") if shutil.which(name) is None]
-    try:
-        import selenium  # noqa: F401
-    except ImportError:
+    if importlib.util.find_spec("selenium") is None:
         missing.append("selenium of Python")
     if missing:
         print(f"skipped: no {', no '.join(missing)} here (Debian: chromium chromium-driver python3-selenium)")

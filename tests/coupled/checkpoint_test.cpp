@@ -122,13 +122,15 @@ TEST_F(Checkpoints, AreForTheProgramThatWroteThem) {
 
 // Another build has another number of the linker in it.
 TEST_F(Checkpoints, OfAnotherBuildComeWithAWarning) {
-  const fs::path other = scratch_.path() / "other";
-  std::string program = bytes_of(cosurge_program);
-  const std::size_t note = program.find(std::string("\x14\0\0\0\x03\0\0\0GNU\0", 12));  // 20 bytes, build id
+  const fs::path other = scratch_.path() / "bin/cosurge", library = scratch_.path() / "lib" / COSURGE_SONAME;
+  fs::create_directories(other.parent_path());
+  fs::create_directories(library.parent_path());
+  fs::copy(cosurge_program, other);  // which looks for the library in ../lib
+  std::string code = bytes_of(fs::path(COSURGE_PROGRAMS) / "../lib" / COSURGE_SONAME);
+  const std::size_t note = code.find(std::string("\x14\0\0\0\x03\0\0\0GNU\0", 12));  // 20 bytes, build id
   ASSERT_NE(note, std::string::npos);
-  program[note + 12] = static_cast<char>(program[note + 12] ^ 1);
-  write(other, program);
-  fs::permissions(other, fs::perms::owner_all);
+  code[note + 12] = static_cast<char>(code[note + 12] ^ 1);
+  write(library, code);
   fs::copy(cut_, tried_);
   Program resumed({other, "resume", tried_, "--in-process", "--threads", "1"}, scratch_.path() / "other.log");
   EXPECT_EQ(resumed.wait(patience), 0) << resumed.output();

@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "coupler/launcher.hpp"
+#include "coupler/program_path.hpp"
 #include "coupler/run_folder.hpp"
 #include "tests/support/mock_participant.hpp"
 #include "tests/support/scratch_folder.hpp"
@@ -44,7 +45,7 @@ class Processes : public ::testing::Test {
   }
 
   Solver start(const std::string& program, const std::vector<std::string>& arguments = {}) const {
-    const Command command{.program = beside_this_program(program), .arguments = arguments, .log = log};
+    const Command command{.program = program_path(program), .arguments = arguments, .log = log};
     return Solver::process(Role::fluid, wiring(), command, 1);
   }
 
@@ -78,8 +79,8 @@ TEST_F(Processes, RunToTheirEndAndLeaveNothingBehind) {
 TEST_F(Processes, RunOverTcpWithKeys) {
   Wiring over_tcp = wiring();
   over_tcp.listen = "tcp://127.0.0.1:*";
-  Solver solver = Solver::process(
-      Role::fluid, over_tcp, {.program = beside_this_program("mock_fluid"), .arguments = {}, .log = log}, 1);
+  Solver solver = Solver::process(Role::fluid, over_tcp,
+                                  {.program = program_path("mock_fluid"), .arguments = {}, .log = log}, 1);
   advance_a_little(solver.join(2, {}));
   solver.participant().finalize();
   EXPECT_TRUE(solver.stop("", milliseconds(5000))) << text_of(log);
@@ -185,12 +186,11 @@ TEST_F(Processes, ThatCannotBeStartedAreNamed) {
 }
 
 TEST_F(Processes, AreToldOfAWrongCommandLineAndOfTheWrongConnectionFile) {
-  SolverProcess wrong(
-      {.program = beside_this_program("mock_fluid"), .arguments = {"--conect", "x"}, .log = log});
+  SolverProcess wrong({.program = program_path("mock_fluid"), .arguments = {"--conect", "x"}, .log = log});
   EXPECT_FALSE(wrong.stop(milliseconds(5000)));
   EXPECT_THAT(wrong.ended().value_or(""), HasSubstr("exit code 2"));
   const Solver solid = Solver::by_hand(Role::solid, wiring(), "solid_solver");
-  SolverProcess fluid({.program = beside_this_program("mock_fluid"),
+  SolverProcess fluid({.program = program_path("mock_fluid"),
                        .arguments = {"--connect", (run.path() / "solid.connection").string()},
                        .log = log});
   EXPECT_FALSE(fluid.stop(milliseconds(5000)));
@@ -264,7 +264,7 @@ TEST_P(ByHand, SolversEndInWordsWithinSecondsWhenTheCouplerDiesOrFreezes) {
     std::ofstream(scratch.path() / "ready") << "ready";
     return solver;
   });
-  SolverProcess solver({.program = beside_this_program("mock_fluid"),
+  SolverProcess solver({.program = program_path("mock_fluid"),
                         .arguments = {"--connect", (run.path() / "fluid.connection").string()},
                         .log = log});
   const auto begin = steady_clock::now();

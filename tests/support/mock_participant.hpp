@@ -12,6 +12,7 @@
 
 #include "common/error.hpp"
 #include "common/participant.hpp"
+#include "proto/case.pb.h"
 
 namespace cosurge::testing {
 

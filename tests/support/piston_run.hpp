@@ -17,7 +17,6 @@ class PressureHistory : public Observer {
     height.push_back(reports.at(1).values.at(0));
     coupling.push_back(own);
   }
-  void frame(double, const std::vector<Snapshot>&) override {}
 
   std::vector<double> time, pressure, height;
   std::vector<std::vector<double>> coupling;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/vec.hpp"
+#include "proto/case.pb.h"
 #include "solid_solver/solid_participant.hpp"
 #include "tests/support/timoshenko.hpp"
 

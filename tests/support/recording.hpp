@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "common/solvers.hpp"
-#include "coupler/coupler.hpp"
+#include "coupler/simulation.hpp"
+#include "proto/case.pb.h"
 
 namespace cosurge::testing {
 
@@ -14,12 +14,12 @@ class Recording : public Observer {
  public:
   /// Runs `the_case` to its end.
   explicit Recording(const v1::Case& the_case) {
-    const auto fluid = the_case.has_fluid() ? make_fluid_solver() : nullptr;
-    const auto solid = the_case.has_solid() ? make_solid_solver() : nullptr;
-    Coupler coupler(the_case, {.fluid = fluid.get(), .solid = solid.get()});
-    members_ = coupler.members();
-    coupling_ = coupler.columns();
-    coupler.run({this}, [] { return false; });
+    Simulation simulation(the_case);
+    simulation.begin();
+    members_ = simulation.members();
+    coupling_ = simulation.columns();
+    simulation.observe(*this);
+    simulation.run();
   }
 
   void window(const Window& window, const Reports& reports, const std::vector<double>& coupling) override {

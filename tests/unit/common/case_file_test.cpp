@@ -153,5 +153,28 @@ TEST(CaseFile, WhatAnOverrideLeavesMissingIsPlacedInTheFile) {
   EXPECT_NE(errors.front(), ':');
 }
 
+TEST(CaseFile, ACaseForALaterSchemaIsRefusedByThatAloneWhateverKeysItHas) {
+  const CaseText text("[time]", "schema = 2\nsounds = [\"slosh\"]\n[time]");
+  const std::string errors = errors_of(text.file());
+  EXPECT_THAT(errors, HasSubstr(fmt::format("{}:{}: schema: 2 is newer than Cosurge ", text.file(),
+                                            line_of(text, "schema"))));
+  EXPECT_THAT(errors, HasSubstr("knows schemas up to 1"));
+  EXPECT_THAT(errors, Not(HasSubstr("sounds")));
+  EXPECT_THAT(errors_of(CaseText().file(), {"schema=3"}), HasSubstr("--set schema=3: schema: 3 is newer"));
+  EXPECT_THAT(errors_of(CaseText().file(), {"schema=0"}), HasSubstr("schema: 0 must be >= 1"));
+  EXPECT_EQ(load_case(CaseText("[time]", "schema = 1\n[time]").file()).schema(), 1);
+}
+
+TEST(CaseFile, ATextIsReadLikeAFileAndItsErrorsHaveLines) {
+  const CaseText text;
+  EXPECT_EQ(read_case(text.text()).SerializeAsString(), load_case(text.file()).SerializeAsString());
+  try {
+    read_case("title = \"x\"\ncolour = 1\n", {}, "/nowhere");
+    FAIL() << "was accepted";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("case:2: colour: unknown key"));
+  }
+}
+
 }  // namespace
 }  // namespace cosurge

@@ -1,0 +1,210 @@
+#include "coupler/simulation.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <sstream>
+#include <thread>
+
+#include "common/case_doubts.hpp"
+#include "common/case_file.hpp"
+#include "common/connection.hpp"
+#include "common/error.hpp"
+#include "common/solvers.hpp"
+#include "coupler/coupler.hpp"
+#include "coupler/launcher.hpp"
+#include "coupler/program_path.hpp"
+#include "coupler/run_folder.hpp"
+
+namespace cosurge {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr milliseconds grace{2000};         // for solvers to end by themselves
+constexpr milliseconds grace_at_once{200};  // the same, for a user who waits
+
+std::string program_name(Role role) { return fmt::format("{}_solver", role_name(role)); }
+
+int threads_of(Role role, int wanted) {
+  if (role == Role::solid) return 1;  // its loops are too short to share
+  return wanted > 0 ? wanted : static_cast<int>(std::thread::hardware_concurrency());
+}
+
+/// Who computes a role: an object here, or a solver elsewhere.
+struct Seat {
+  std::unique_ptr<Participant> object;
+  std::optional<Solver> solver;
+
+  bool taken() const { return object != nullptr || solver; }
+  Participant* participant() {
+    if (object) return object.get();
+    return solver ? &solver->participant() : nullptr;
+  }
+};
+
+}  // namespace
+
+class Simulation::Parts {
+ public:
+  explicit Parts(const v1::Case& the_case) : case_(the_case) {}
+
+  /// The seat of a role. @throws Error where nobody may take it.
+  Seat& free_seat(Role role) {
+    require(case_.has_fluid() || role != Role::fluid, "the case has no [fluid]: nobody can compute it");
+    require(case_.has_solid() || role != Role::solid, "the case has no [solid]: nobody can compute it");
+    require(!coupler_, "the simulation has begun: who computes it cannot be chosen any more");
+    require(!seat(role).taken(), "the {} has a solver already", role_name(role));
+    return seat(role);
+  }
+
+  Seat& free_seat(const std::unique_ptr<Participant>& participant) {
+    require(participant != nullptr, "there is no participant: the pointer is empty");
+    const Identity identity = participant->identity();
+    require(std::count(identity.dimensions.begin(), identity.dimensions.end(), case_.dimension()) > 0,
+            "{} does not compute scenes of {} dimensions", identity.program, case_.dimension());
+    return free_seat(identity.role);
+  }
+
+  /// For the sockets of solvers elsewhere; there where it is needed.
+  const std::filesystem::path& sockets() { return (sockets_ ? *sockets_ : sockets_.emplace()).path(); }
+
+  void begin() {
+    if (coupler_) return;
+    if (case_.has_fluid() && !fluid_.taken()) fluid_.object = make_fluid_solver();
+    if (case_.has_solid() && !solid_.taken()) solid_.object = make_solid_solver();
+    for (Seat* seat : {&fluid_, &solid_})
+      if (seat->solver)
+        seat->solver->join(case_.dimension(), {"save", "frame"}, [this] { return cancelled(); });
+    joined_ = true;
+    coupler_ = std::make_unique<Coupler>(
+        case_, Participants{.fluid = fluid_.participant(), .solid = solid_.participant()});
+  }
+
+  void end(const std::string& reason, bool at_once) {
+    for (Seat* seat : {&fluid_, &solid_})
+      if (seat->solver) seat->solver->tell(reason);
+    for (Seat* seat : {&fluid_, &solid_}) {
+      if (!seat->solver) continue;
+      if (at_once)
+        left_behind_ |= !seat->solver->kill(reason, grace_at_once);
+      else
+        seat->solver->stop(reason, grace);
+    }
+  }
+
+  double exchange_seconds() const {
+    double sum = 0;
+    for (const Seat* seat : {&fluid_, &solid_})
+      if (seat->solver) sum += seat->solver->participant().cost().exchange();
+    return sum;
+  }
+
+  Seat& seat(Role role) { return role == Role::fluid ? fluid_ : solid_; }
+
+  Coupler& coupler() {
+    require(coupler_ != nullptr, "the simulation has not begun: call begin() first");
+    return *coupler_;
+  }
+
+  const v1::Case& the_case() const { return case_; }
+  bool left_behind() const { return left_behind_; }
+
+  std::vector<Observer*> observers;
+  std::function<bool()> before_start = [] { return false; };
+  std::function<bool()> within_window = [] { return false; };
+
+ private:
+  /// Asked while a solver is waited for.
+  bool cancelled() {
+    if (joined_) return within_window();
+    for (Seat* seat : {&fluid_, &solid_})
+      if (seat->solver) seat->solver->turn_away_strangers();
+    return before_start();
+  }
+
+  v1::Case case_;
+  std::optional<RunFolder> sockets_;
+  Seat fluid_;
+  Seat solid_;
+  std::unique_ptr<Coupler> coupler_;
+  bool joined_ = false;
+  bool left_behind_ = false;
+};
+
+Simulation::Simulation(const v1::Case& the_case) : parts_(std::make_unique<Parts>(the_case)) {}
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation::~Simulation() = default;
+
+Simulation Simulation::of_file(const std::string& path, const std::vector<std::string>& overrides) {
+  return Simulation(load_case(path, overrides));
+}
+
+Simulation Simulation::of_text(const std::string& toml, const std::vector<std::string>& overrides,
+                               const std::filesystem::path& folder) {
+  return Simulation(read_case(toml, overrides, folder));
+}
+
+void Simulation::here(std::unique_ptr<Participant> participant) {
+  Seat& seat = parts_->free_seat(participant);
+  seat.object = std::move(participant);
+}
+
+void Simulation::in_thread(std::unique_ptr<Participant> participant, const Reach& reach) {
+  Seat& seat = parts_->free_seat(participant);
+  const int threads = threads_of(participant->identity().role, reach.threads);
+  seat.solver.emplace(Solver::thread(std::move(participant), reach.patience, threads));
+}
+
+void Simulation::in_process(Role role, const std::string& command, const Reach& reach) {
+  Seat& seat = parts_->free_seat(role);
+  const std::string name = program_name(role);
+  std::istringstream text(command);
+  std::vector<std::string> words(std::istream_iterator<std::string>(text), {});
+  if (words.empty()) words.push_back(program_path(name).string());
+  const Command start{.program = words.front(),
+                      .arguments = {words.begin() + 1, words.end()},
+                      .log = reach.log.empty() ? std::filesystem::path(name + ".log") : reach.log};
+  const Wiring wiring{.folder = parts_->sockets(), .listen = "", .patience = reach.patience};
+  seat.solver.emplace(Solver::process(role, wiring, start, threads_of(role, reach.threads)));
+}
+
+std::string Simulation::by_hand(Role role, const std::string& listen, const Reach& reach) {
+  Seat& seat = parts_->free_seat(role);
+  const Wiring wiring{.folder = parts_->sockets(), .listen = listen, .patience = reach.patience};
+  seat.solver.emplace(Solver::by_hand(role, wiring, program_path(program_name(role)).string()));
+  return seat.solver->how_to_start();
+}
+
+void Simulation::give_up_when(std::function<bool()> before_start, std::function<bool()> within_window) {
+  parts_->before_start = std::move(before_start);
+  parts_->within_window = std::move(within_window);
+}
+
+void Simulation::observe(Observer& observer) { parts_->observers.push_back(&observer); }
+void Simulation::begin() { parts_->begin(); }
+
+bool Simulation::run(const std::function<bool()>& stop) {
+  begin();
+  return coupler().run(parts_->observers, stop);
+}
+
+std::string Simulation::save() { return coupler().save(); }
+
+void Simulation::restore(const std::string& state, bool same_scheme) {
+  begin();
+  coupler().restore(state, same_scheme);
+}
+
+const v1::Case& Simulation::the_case() const { return parts_->the_case(); }
+std::vector<std::string> Simulation::doubts() const { return cosurge::doubts(the_case()); }
+const std::vector<Member>& Simulation::members() const { return parts_->coupler().members(); }
+std::vector<Column> Simulation::columns() const { return parts_->coupler().columns(); }
+double Simulation::time() const { return parts_->coupler().time(); }
+Participant* Simulation::participant(Role role) { return parts_->seat(role).participant(); }
+Coupler& Simulation::coupler() { return parts_->coupler(); }
+double Simulation::exchange_seconds() const { return parts_->exchange_seconds(); }
+void Simulation::end(const std::string& reason, bool at_once) { parts_->end(reason, at_once); }
+bool Simulation::left_behind() const { return parts_->left_behind(); }
+
+}  // namespace cosurge

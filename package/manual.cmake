@@ -1,0 +1,21 @@
+# Man pages, made at build time from what the programs say of themselves.
+find_program(HELP2MAN help2man)
+if(HELP2MAN)
+  set(found ON)
+else()
+  set(found OFF)
+endif()
+option(COSURGE_MAN "Make man pages (help2man)" ${found})
+if(COSURGE_MAN)
+  if(NOT HELP2MAN)
+    message(FATAL_ERROR "COSURGE_MAN is ON and help2man is missing: install it, or turn COSURGE_MAN off")
+  endif()
+  set(pages ${PROJECT_BINARY_DIR}/man)
+  add_custom_command(OUTPUT ${pages}/cosurge.1
+    COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/man_pages ${HELP2MAN} $<TARGET_FILE:cosurge> ${pages}
+    DEPENDS cosurge ${CMAKE_CURRENT_SOURCE_DIR}/man_pages)
+  add_custom_target(man ALL DEPENDS ${pages}/cosurge.1)
+  install(DIRECTORY ${pages}/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT cosurge FILES_MATCHING PATTERN "*.1")
+else()
+  message(STATUS "No man pages are made: help2man is missing, or COSURGE_MAN is OFF")
+endif()

@@ -1,0 +1,66 @@
+// A plate of one's own in the water of a dam break: it leans on a spring, u_x = q (y / h)^2, and is watched.
+#include <algorithm>
+#include <cosurge/simulation.hpp>
+#include <cstring>
+#include <iostream>
+
+struct LeaningPlate : cosurge::Participant {
+  double mass = 2, spring = 2000;  // per metre of width, of the unknown q [kg/m, N/m2]
+  double q = 0, speed = 0;
+  Eigen::RowVectorXd lean;  // H: of each point, for a unit of q
+
+  cosurge::Identity identity() const override {
+    return {cosurge::Role::solid, "leaning plate", "1", {2}, {"save", "frame"}};
+  }
+  cosurge::Setup initialize(const cosurge::v1::Case&, cosurge::Interface& points,
+                            cosurge::Surface& surface) override {
+    lean = (points.position.row(1) / points.position.row(1).maxCoeff()).array().square();
+    surface = cosurge::Surface::at_rest(2, points.points());
+    return {.columns = {{"q", "m"}}, .particles = 0, .window = 1};
+  }
+  cosurge::Report advance(const cosurge::Window& window, cosurge::Surface& surface) override {
+    speed += window.size * (surface.force.row(0).dot(lean) - spring * q) / mass;
+    q += window.size * speed;
+    surface.displacement.row(0) = q * lean;
+    surface.velocity.row(0) = speed * lean;
+    return {.values = {q}, .window = 1};
+  }
+  std::string save() override {
+    std::string state(2 * sizeof(double), ' ');
+    std::memcpy(state.data(), &q, sizeof q);
+    std::memcpy(state.data() + sizeof q, &speed, sizeof speed);
+    return state;
+  }
+  void restore(const std::string& state) override {
+    std::memcpy(&q, state.data(), sizeof q);
+    std::memcpy(&speed, state.data() + sizeof q, sizeof speed);
+  }
+  cosurge::Snapshot frame() override { return {}; }
+};
+
+struct Largest : cosurge::Observer {
+  int windows = 0;
+  double q = 0;
+  void window(const cosurge::Window&, const cosurge::Reports& reports, const std::vector<double>&) override {
+    ++windows;
+    q = std::max(q, reports.at(1).values.at(0));
+  }
+};
+
+/// consumer CASE [wire]: with `wire` the water computes in a program of its own.
+int main(int argc, char** argv) try {
+  const std::vector<std::string> coarse = {"fluid.spacing=0.004", "fluid.water.0.max=[0.148, 0.292]",
+                                           "time.end=0.2"};
+  auto simulation = cosurge::Simulation::of_file(argv[1], coarse);
+  simulation.here(std::make_unique<LeaningPlate>());
+  if (argc > 2) simulation.in_process(cosurge::Role::fluid);
+  Largest largest;
+  simulation.observe(largest);
+  simulation.run();
+  std::cout.precision(17);
+  std::cout << largest.windows << " windows, largest q " << largest.q << " m\n";
+  return 0;
+} catch (const std::exception& error) {
+  std::cerr << error.what() << '\n';
+  return 1;
+}
