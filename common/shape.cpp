@@ -38,7 +38,7 @@ template <int dim>
 Shape<dim>::Shape(const v1::Shape& shape) : bounds_(bounds_of<dim>(shape)) {
   const int corners = shape.vertex_size() / dim;
   const auto corner = [&](int k) {
-    return Vec<dim>(Eigen::Map<const Vec<dim>>(shape.vertex().data() + k % corners * dim));
+    return Vec<dim>(Eigen::Map<const Vec<dim>>(shape.vertex().data() + std::ptrdiff_t{k % corners} * dim));
   };
   if constexpr (dim == 2)
     for (int k = 0; k < corners; ++k) facets_.push_back({corner(k), corner(k + 1)});
@@ -56,10 +56,10 @@ bool Shape<dim>::contains(const Vec<dim>& x) const {
 template <int dim>
 int Shape<dim>::winding(const Vec<dim>& x) const {
   if (is_box()) return bounds_.contains(x) ? 1 : 0;
-  Vec<dim> start = x;
   // A little aside of where edges lie: a ray along the edge of two triangles would meet both or none.
-  if constexpr (dim == 3) start += 1e-9 * (bounds_.max - bounds_.min).norm() * Vec<3>(0, 1, 0.618);
-  const int sum = tree_.crossings(start);
+  Vec<dim> aside = Vec<dim>::Zero();
+  if constexpr (dim == 3) aside = 1e-9 * (bounds_.max - bounds_.min).norm() * Vec<3>(0, 1, 0.618);
+  const int sum = tree_.crossings(x + aside);
   return oriented_ ? sum : std::abs(sum) % 2;
 }
 

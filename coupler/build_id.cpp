@@ -46,6 +46,7 @@ int look(dl_phdr_info* object, std::size_t, void* result) {
   for (int k = 0; k < object->dlpi_phnum; ++k) {
     const auto& segment = object->dlpi_phdr[k];
     if (segment.p_type != PT_NOTE) continue;
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): the system gives the address as a number
     const auto* bytes = reinterpret_cast<const char*>(object->dlpi_addr + segment.p_vaddr);
     const std::string id = note_in(bytes, segment.p_memsz);
     if (!id.empty()) *static_cast<std::string*>(result) = id;

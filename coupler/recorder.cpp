@@ -49,7 +49,7 @@ std::vector<XdmfArray> arrays_of(const std::string& member, const Snapshot& firs
     const std::string name = without_prefix(array.name, member);
     require(names.insert(name).second, "the {} solver sends two arrays called {}", member, name);
     arrays.push_back({.name = name,
-                      .place = "/frames/" + member + "/" + name,
+                      .place = fmt::format("/frames/{}/{}", member, name),
                       .particles = array.values.size() / static_cast<std::size_t>(array.components),
                       .components = array.components});
   }

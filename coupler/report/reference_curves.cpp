@@ -50,7 +50,7 @@ std::vector<std::string> histories_of(const std::string& column, const v1::Case&
       const std::string unit = probe.quantity() == v1::Probe::pressure ? "Pa"
                                : probe.quantity() == v1::Probe::force  ? "N"
                                                                        : "m";
-      if (any || column == own + "_" + unit) names.push_back(probe_group(probe) + "/" + own);
+      if (any || column == fmt::format("{}_{}", own, unit)) names.push_back(probe_group(probe) + "/" + own);
     }
   return names;
 }

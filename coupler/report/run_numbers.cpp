@@ -53,7 +53,7 @@ RunRecord::RunRecord(const Results& results) {
 
 nlohmann::json summary_of(const Results& results, std::size_t windows) {
   std::ifstream file(results.folder() / "summary.json");
-  const auto found = nlohmann::json::parse(file, nullptr, false);
+  auto found = nlohmann::json::parse(file, nullptr, false);
   if (found.is_object() && found.value("windows", std::size_t{0}) == windows) return found;
   return nlohmann::json::object();
 }
@@ -123,7 +123,7 @@ Json balance(const RunRecord& run) {
     double first = 0, last = 0;
     int parts = 0;
     for (const std::string kind : {"kinetic_energy", "gravity_energy", "elastic_energy", "contact_energy"}) {
-      const Series* series = run.find(member + "/" + kind);
+      const Series* series = run.find(fmt::format("{}/{}", member, kind));
       if (series == nullptr) continue;
       rows.push_back(entry(series->name, series->unit, series->values.front(), series->values.back()));
       first += series->values.front();

@@ -38,7 +38,8 @@ std::vector<std::string> quantities_of(const FrameSource& source) {
 /// multiples of the golden ratio are spread evenly (Knuth, The Art of Computer Programming 3, section 6.4).
 bool is_kept(std::uint32_t number, std::size_t every) {
   constexpr std::uint32_t golden = 2654435769;  // golden ratio times 2^32
-  return std::uint64_t{number * golden} * every < (std::uint64_t{1} << 32);
+  const std::uint32_t mixed = number * golden;
+  return std::uint64_t{mixed} * every < (std::uint64_t{1} << 32);
 }
 
 Cast fluid_cast(const v1::Case& the_case, const FrameSource& fluid, std::size_t every) {

@@ -181,7 +181,7 @@ TEST_F(Processes, ThatAreSlowAreNotTakenForDead) {
 
 TEST_F(Processes, ThatCannotBeStartedAreNamed) {
   EXPECT_THAT([&] { start("no_such_solver"); },
-              ThrowsMessage<Error>(HasSubstr("no_such_solver: No such file")));
+              ThrowsMessage<Error>(HasSubstr("no_such_solver is missing: it is neither in")));
   EXPECT_TRUE(is_childless());
 }
 
