@@ -1,29 +1,13 @@
 // The matrix of the pressure equation.
 #pragma once
 
-#include <cstring>
 #include <vector>
 
+#include "fluid_solver/pressure/lanes.hpp"
 #include "fluid_solver/rows.hpp"
 #include "fluid_solver/unfilled.hpp"
 
 namespace cosurge::fluid {
-
-/// Eight numbers that are computed at once.
-using Floats = float __attribute__((vector_size(8 * sizeof(float))));
-using Doubles = double __attribute__((vector_size(8 * sizeof(double))));
-
-template <typename Lanes>
-Lanes load(const void* numbers) {
-  Lanes values;
-  std::memcpy(&values, numbers, sizeof values);
-  return values;
-}
-
-template <typename Lanes>
-auto sum_of_lanes(const Lanes& v) {
-  return ((v[0] + v[4]) + (v[1] + v[5])) + ((v[2] + v[6]) + (v[3] + v[7]));
-}
 
 /// Weights of a sparse matrix.
 ///
@@ -103,9 +87,7 @@ struct Matrix : BlockRows {
   int size() const { return static_cast<int>(diagonal.size()); }
 
   double times(int i, const double* x) const {
-    const auto term = [x](const Floats& w, int column) {
-      return __builtin_convertvector(w, Doubles) * load<Doubles>(x + column);
-    };
+    const auto term = [x](const Floats& w, int column) { return doubles_of(w) * load<Doubles>(x + column); };
     return diagonal[i] * x[i] - sum<Doubles>(i, term);
   }
 

@@ -203,7 +203,7 @@ Doubles PoissonEquation<dim>::parting(const Lines& velocity, int k, const Floats
     const double* x = x_[d].data();
     sum += (load<Doubles>(u + column) - u[k]) * (load<Doubles>(x + column) - x[k]);
   }
-  return __builtin_convertvector(weights, Doubles) * sum;
+  return doubles_of(weights) * sum;
 }
 
 template <int dim>
@@ -275,7 +275,7 @@ void PoissonEquation<dim>::append_blocks(int first, int count, const float* weig
     }
     std::memcpy(A_.weight.data() + row.end * Matrix::lanes, &block, sizeof block);
     A_.first[row.end++] = column;
-    row.weights += __builtin_convertvector(block, Doubles);
+    row.weights += doubles_of(block);
     row.smooth += smooth_share(block);
     left &= ~(std::uint64_t{(1U << Matrix::lanes) - 1} << from);
   }
