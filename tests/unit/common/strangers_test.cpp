@@ -158,7 +158,7 @@ TEST(Strangers, WhoSendMuchWithoutAKeyAreCutOff) {
 TEST(Strangers, WhoSayNothingNeitherTakeAllFilesNorKeepTheSolverOut) {
   rlimit files{};
   getrlimit(RLIMIT_NOFILE, &files);
-  const rlimit few{.rlim_cur = 512, .rlim_max = files.rlim_max};
+  const rlimit few{.rlim_cur = 1024, .rlim_max = files.rlim_max};
   setrlimit(RLIMIT_NOFILE, &few);
   const std::size_t before = open_files();
   Channel coupler = Channel::listen("tcp://127.0.0.1:*", {.peer = "b", .patience = 60});
@@ -166,8 +166,8 @@ TEST(Strangers, WhoSayNothingNeitherTakeAllFilesNorKeepTheSolverOut) {
   std::thread waits([&] { coupler.receive(received, "a message"); });
   std::vector<Stranger> strangers;
   std::size_t connected = 0;
-  for (int k = 0; k < 250; ++k) {
-    strangers.emplace_back(coupler, milliseconds(k < 128 ? 2000 : 10));
+  for (int k = 0; k < 400; ++k) {
+    strangers.emplace_back(coupler, milliseconds(k < 256 ? 2000 : 10));
     connected += strangers.back().connected();
   }
   std::this_thread::sleep_for(milliseconds(200));
