@@ -1,14 +1,13 @@
 // Eight numbers that are computed at once.
 #pragma once
 
-#include <array>
 #include <cstring>
 
 namespace cosurge::fluid {
 
 using Floats = float __attribute__((vector_size(8 * sizeof(float))));
 
-#ifdef __AVX512F__
+#if !defined(__AVX__) || defined(__AVX512F__)
 
 using Doubles = double __attribute__((vector_size(8 * sizeof(double))));
 
@@ -16,8 +15,9 @@ inline Doubles doubles_of(const Floats& v) { return __builtin_convertvector(v, D
 
 #else
 
-/// In halves: GCC moves a vector that is wider than the registers number by number, through memory, which
-/// costs more than it computes.
+/// In halves: on AVX2 GCC moves a vector that is wider than the registers number by number, through memory,
+/// which costs more than it computes. (On SSE2 it does no better with halves, which are wider than the
+/// registers, too.)
 struct Doubles {
   using Half = double __attribute__((vector_size(4 * sizeof(double))));
   Half low{};
