@@ -22,6 +22,7 @@ namespace {
 
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
@@ -180,8 +181,11 @@ TEST_F(Processes, ThatAreSlowAreNotTakenForDead) {
 }
 
 TEST_F(Processes, ThatCannotBeStartedAreNamed) {
-  EXPECT_THAT([&] { start("no_such_solver"); },
-              ThrowsMessage<Error>(HasSubstr("no_such_solver is missing: it is neither in")));
+  EXPECT_THAT([&] { program_path("no_such_solver"); },
+              ThrowsMessage<Error>(AllOf(HasSubstr("no_such_solver is missing: it is neither in "),
+                                         HasSubstr("libexec/cosurge"))));
+  EXPECT_THAT([&] { SolverProcess({.program = "/nowhere/no_such_solver", .arguments = {}, .log = log}); },
+              ThrowsMessage<Error>(HasSubstr("/nowhere/no_such_solver: No such file")));
   EXPECT_TRUE(is_childless());
 }
 
