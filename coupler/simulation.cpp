@@ -152,6 +152,7 @@ void Simulation::here(std::unique_ptr<Participant> participant) {
 
 void Simulation::in_thread(std::unique_ptr<Participant> participant, const Reach& reach) {
   Seat& seat = parts_->free_seat(participant);
+  parts_->sockets();  // it needs none, but with the folder go those of runs that were killed
   const int threads = threads_of(participant->identity().role, reach.threads);
   seat.solver.emplace(Solver::thread(std::move(participant), reach.patience, threads));
 }
