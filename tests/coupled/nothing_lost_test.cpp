@@ -98,7 +98,7 @@ TEST_F(NothingLost, TheTemporaryFolderOfARunThatWasKilledGoesWithTheNextRun) {
   kill(killed.pid(), SIGKILL);
   killed.wait(patience);
   EXPECT_FALSE(fs::is_empty(temporary())) << "nothing to clean up: nothing was tested";
-  Program next = cosurge({"run", small_dam_break, "--out", scratch_.path() / "next", "--set",
+  Program next = cosurge({"run", small_dam_break, "--out", scratch_.path() / "next", "--in-process", "--set",
                           "time.end=0.002", "output.frame_interval=0.002"},
                          "next");
   ASSERT_EQ(next.wait(patience), 0) << next.output();
