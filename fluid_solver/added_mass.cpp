@@ -52,7 +52,7 @@ std::vector<double> AddedMass<dim>::right_hand_side(const Step& step, const Fiel
   std::vector<double> source(step.bodies.particles.u.size(), 0.0);
   for (std::size_t m = 0; m < unknowns.size(); ++m) {
     const auto i = static_cast<std::size_t>(unknowns[m]);
-    source[i] = step.source_per_change[i] * step.dt * divergence[m];
+    source[i] = std::max(step.source_per_divergence[i], step.least_per_change) * step.dt * divergence[m];
   }
   return step.bodies.poisson.rows_of(source);
 }
@@ -156,7 +156,7 @@ void AddedMass<dim>::couple(const Step& step, std::vector<double>& pressure) {
   ratio_ = 0;
   iterations_ = 0;
   velocity_change_.resize(0, 0);
-  if (modes_.empty() || step.source_per_change.empty() || pressure.empty()) return;
+  if (modes_.empty() || step.source_per_divergence.empty() || pressure.empty()) return;
   const auto ids = static_cast<std::size_t>(
       1 + *std::max_element(step.bodies.particles.id.begin(), step.bodies.particles.id.end()));
   last_.resize(modes_.size());

@@ -39,9 +39,10 @@ class AddedMass {
     const std::vector<Vec<dim>>& body_areas;
     const std::vector<Vec<dim>>& face_load;  ///< beyond -P A on the body points [N]
     Preconditioner& preconditioner;
-    /// Change of the pressure source per divergence of a change of the bodies' velocity, by place
-    /// [kg/(m3 s)]; empty if the source has no divergence.
-    const std::vector<double>& source_per_change;
+    /// Change of the pressure source per divergence, by place [kg/(m3 s)]; empty if the source has no
+    /// divergence. For a change of the bodies' velocity it is at least `least_per_change`.
+    const std::vector<double>& source_per_divergence;
+    double least_per_change;
     double dt;
     std::uint32_t attempt;   ///< attempt number of the window; 0: the window is not repeated
     double tolerance;        ///< relative residual of the pressure equation

@@ -110,7 +110,10 @@ class Mps {
   double response_time(double dt) const;
   void set_source_per_divergence(double dt);
   Field body_change() const;
-  void add_source_of_bodies();
+  void add_source_of_bodies(double dt);
+  /// The least change of the source per divergence of a change of the bodies' velocity, eq. (6d) [kg/(m3 s)];
+  /// 0 if the source mends every divergence at one rate.
+  double least_per_change(double dt) const;
   BodiesInWater<dim> bodies_in_water() const {
     return {particles_, neighbors_, reference_, poisson_, seen_, covers_, body_place_};
   }
@@ -155,7 +158,6 @@ class Mps {
   std::vector<Vec<dim>> push_;                 // velocity change by the pressure, by place
   std::vector<double> source_;                 // source of the pressure equation, by place
   std::vector<double> source_per_divergence_;  // by place [kg/(m3 s)]
-  std::vector<double> source_per_change_;      // the same for a change of the bodies' velocity
   Field last_body_velocity_;                   // velocity of the body points in the last window [m/s]
   std::vector<double> pressure_;               // pressure of the unknowns
   std::vector<Vec<dim>> predicted_x_;          // predicted positions of a step that may be repeated, by place

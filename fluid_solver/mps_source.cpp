@@ -16,12 +16,9 @@ void Mps<dim>::set_source_per_divergence(double dt) {
   const auto size = static_cast<std::size_t>(particles_.size());
   switch (parameters_.source()) {
     case v1::Fluid::deviation:
-      source_per_divergence_.clear();
-      return source_per_change_.clear();
+      return source_per_divergence_.clear();
     case v1::Fluid::mixed:
-      source_per_divergence_.assign(size, (1 - parameters_.gamma()) * rho / dt);
-      source_per_change_ = source_per_divergence_;
-      return;
+      return source_per_divergence_.assign(size, (1 - parameters_.gamma()) * rho / dt);
     case v1::Fluid::time_scale:
       source_per_divergence_.assign(size, rho * rates(dt).divergence);
   }
@@ -35,9 +32,11 @@ void Mps<dim>::set_source_per_divergence(double dt) {
     const double k = answers * approach_speed(particles_, neighbors_, i, kick) / parameters_.spacing();
     source_per_divergence_[i] = std::max(source_per_divergence_[i], rho * std::min(k, most));
   }
-  source_per_change_ = source_per_divergence_;
-  const double by_bodies = rho * rates(dt).bodies;
-  for (double& s : source_per_change_) s = std::max(s, by_bodies);
+}
+
+template <int dim>
+double Mps<dim>::least_per_change(double dt) const {
+  return open_surface() ? parameters_.density() * rates(dt).bodies : 0;
 }
 
 /// What the bodies' velocity has changed by since the last window, dimension x points [m/s].
@@ -50,12 +49,13 @@ Field Mps<dim>::body_change() const {
 
 /// Adds what the source has beyond eq. (6c) for the bodies' change of velocity, eq. (6d).
 template <int dim>
-void Mps<dim>::add_source_of_bodies() {
+void Mps<dim>::add_source_of_bodies(double dt) {
   const std::vector<double> divergence = body_divergence(bodies_in_water(), body_change());
+  const double least = least_per_change(dt);
   const auto& unknowns = poisson_.unknowns();
   for (std::size_t m = 0; m < unknowns.size(); ++m) {
     const std::int32_t i = unknowns[m];
-    source_[i] += (source_per_change_[i] - source_per_divergence_[i]) * divergence[m];
+    source_[i] += (std::max(source_per_divergence_[i], least) - source_per_divergence_[i]) * divergence[m];
   }
 }
 
@@ -94,7 +94,7 @@ void Mps<dim>::set_source(double dt) {
     source_[i] = source(in);
   }
   if (bodies_.points() > 0 && open_surface() && rates(dt).bodies > rates(dt).divergence)
-    add_source_of_bodies();
+    add_source_of_bodies(dt);
   poisson_.set_source(source_);
 }
 
@@ -158,8 +158,10 @@ double Mps<dim>::response_time(double dt) const {
 
 template Field Mps<2>::body_change() const;
 template Field Mps<3>::body_change() const;
-template void Mps<2>::add_source_of_bodies();
-template void Mps<3>::add_source_of_bodies();
+template void Mps<2>::add_source_of_bodies(double);
+template void Mps<3>::add_source_of_bodies(double);
+template double Mps<2>::least_per_change(double) const;
+template double Mps<3>::least_per_change(double) const;
 template void Mps<2>::set_source(double);
 template void Mps<3>::set_source(double);
 template void Mps<2>::set_source_per_divergence(double);

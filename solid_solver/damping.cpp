@@ -11,10 +11,8 @@ template <int dim>
 std::vector<double> damping_rates(const v1::Solid& solid) {
   std::vector<double> rates(static_cast<std::size_t>(solid.body_size()), 0.0);
   if (solid.damping_ratio() == 0) return rates;
-  const Elasticity material = elasticity_of<dim>(solid);
   for (int b = 0; b < solid.body_size(); ++b) {
-    const fem::FemBody<dim> body(solid.body(b), b, solid.fem().element(), material, Vec<dim>::Zero());
-    const double omega_squared = modal::lowest_modes(body, material, 1).omega_squared[0];
+    const double omega_squared = modal::lowest_of_body<dim>(solid, b, 1).omega_squared[0];
     require(omega_squared > 0,
             "solid.damping_ratio: solid.body.{} is free to move as a whole; hold it, or omit the damping", b);
     rates[static_cast<std::size_t>(b)] = 2 * solid.damping_ratio() * std::sqrt(omega_squared);

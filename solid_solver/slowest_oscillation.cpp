@@ -13,21 +13,17 @@ namespace {
 
 /// omega^2 of the first mode that is no rigid motion [1/s2]; 0 where there is none.
 template <int dim>
-double first_elastic(const v1::Solid& solid, int b, const Elasticity& material) {
+double first_elastic(const v1::Solid& solid, int b) {
   constexpr int rigid_motions = dim == 2 ? 3 : 6;
-  const fem::FemBody<dim> body(solid.body(b), b, solid.fem().element(), material, Vec<dim>::Zero());
-  const auto count = std::min<int>(rigid_motions + 1, static_cast<int>(body.unknowns()) - 1);
-  for (const double omega_squared : modal::lowest_modes(body, material, count).omega_squared)
+  for (const double omega_squared : modal::lowest_of_body<dim>(solid, b, rigid_motions + 1).omega_squared)
     if (omega_squared > 0) return omega_squared;
   return 0;
 }
 
 template <int dim>
 double of_elements(const v1::Solid& solid) {
-  const Elasticity material = elasticity_of<dim>(solid);
   double highest = 0;
-  for (int b = 0; b < solid.body_size(); ++b)
-    highest = std::max(highest, first_elastic<dim>(solid, b, material));
+  for (int b = 0; b < solid.body_size(); ++b) highest = std::max(highest, first_elastic<dim>(solid, b));
   return std::sqrt(highest);
 }
 

@@ -17,4 +17,8 @@ struct Modes {
 template <int dim>
 Modes lowest_modes(const fem::FemBody<dim>& body, const Elasticity& material, int count);
 
+/// The `count` lowest modes of body b, or all but one if it has fewer, by the elements of the model `fem`.
+template <int dim>
+Modes lowest_of_body(const v1::Solid& solid, int b, int count);
+
 }  // namespace cosurge::modal
