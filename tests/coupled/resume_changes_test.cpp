@@ -5,6 +5,7 @@
 #include <cstring>
 #include <fstream>
 
+#include "coupler/checkpoint.hpp"
 #include "tests/support/cosurge_program.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/results.hpp"
@@ -110,6 +111,18 @@ TEST_F(ResumeWithChanges, WhatAStateDependsOnIsRefusedAllAtOnceAndNothingIsWritt
   EXPECT_EQ(fs::last_write_time(folder("run") / "results.h5"), before);
   EXPECT_THAT(resume("run", {}, 1),
               HasSubstr("the run is finished at t = 0.04 s; --set time.end=... extends it"));
+}
+
+TEST_F(ResumeWithChanges, AKeyThatIsNewerThanTheRunIsNoChange) {
+  run("run", {"time.end=0.04"});
+  Checkpoint checkpoint = Checkpoint::read(folder("run"));
+  checkpoint.the_case.clear_schema();
+  checkpoint.the_case.mutable_fluid()->clear_most_lost();
+  checkpoint.write(folder("run"));
+  const std::string said = resume("run", {"time.end=0.06"});
+  EXPECT_THAT(said, HasSubstr("time.end: 0.04, now 0.06"));
+  EXPECT_THAT(said, Not(HasSubstr("schema")));
+  EXPECT_THAT(said, Not(HasSubstr("most_lost")));
 }
 
 TEST_F(ResumeWithChanges, ACaseFileThatHasChangedSinceIsTold) {
