@@ -5,11 +5,11 @@
 #include <chrono>
 #include <cmath>
 
-#include "common/carriers.hpp"
-#include "common/case_doubts.hpp"
-#include "common/case_file.hpp"
+#include "common/case/carriers.hpp"
+#include "common/case/case_doubts.hpp"
+#include "common/case/case_file.hpp"
+#include "common/case/window_sizes.hpp"
 #include "common/error.hpp"
-#include "common/window_sizes.hpp"
 #include "coupler/coupler.hpp"
 #include "coupler/report/case_picture.hpp"
 #include "coupler/say.hpp"

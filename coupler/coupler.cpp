@@ -4,9 +4,9 @@
 #include <set>
 #include <utility>
 
+#include "common/case/window_sizes.hpp"
 #include "common/error.hpp"
 #include "common/state_bytes.hpp"
-#include "common/window_sizes.hpp"
 
 namespace cosurge {
 namespace {

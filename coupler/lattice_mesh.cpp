@@ -5,7 +5,7 @@
 #include <map>
 #include <numeric>
 
-#include "common/body_sites.hpp"
+#include "common/geometry/body_sites.hpp"
 
 namespace cosurge {
 namespace {

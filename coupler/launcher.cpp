@@ -1,7 +1,7 @@
 #include "coupler/launcher.hpp"
 
-#include "common/serve.hpp"
 #include "common/threads.hpp"
+#include "common/wire/serve.hpp"
 
 namespace cosurge {
 namespace {

@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "common/remote_participant.hpp"
+#include "common/wire/remote_participant.hpp"
 #include "coupler/solver_process.hpp"
 
 namespace cosurge {

@@ -7,7 +7,7 @@
 
 #include "common/threads.hpp"
 #include "common/version.hpp"
-#include "common/wire_words.hpp"
+#include "common/wire/wire_words.hpp"
 #include "coupler/certify_command.hpp"
 #include "coupler/check_command.hpp"
 #include "coupler/csv_command.hpp"

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <thread>
 
-#include "common/case_file.hpp"
+#include "common/case/case_file.hpp"
 #include "common/error.hpp"
 #include "common/threads.hpp"
 #include "coupler/map_cell.hpp"

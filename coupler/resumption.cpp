@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "common/case_differences.hpp"
-#include "common/case_file.hpp"
+#include "common/case/case_differences.hpp"
+#include "common/case/case_file.hpp"
 #include "common/error.hpp"
 #include "coupler/conclusion.hpp"
 #include "coupler/say.hpp"

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "common/case_doubts.hpp"
-#include "common/case_file.hpp"
+#include "common/case/case_doubts.hpp"
+#include "common/case/case_file.hpp"
 #include "common/error.hpp"
 #include "common/solvers.hpp"
 #include "coupler/checkpoint.hpp"

@@ -5,7 +5,7 @@
 
 #include <cstdio>
 
-#include "common/wire_words.hpp"
+#include "common/wire/wire_words.hpp"
 
 namespace cosurge {
 

@@ -6,11 +6,11 @@
 #include <sstream>
 #include <thread>
 
-#include "common/case_doubts.hpp"
-#include "common/case_file.hpp"
-#include "common/connection.hpp"
+#include "common/case/case_doubts.hpp"
+#include "common/case/case_file.hpp"
 #include "common/error.hpp"
 #include "common/solvers.hpp"
+#include "common/wire/connection.hpp"
 #include "coupler/coupler.hpp"
 #include "coupler/launcher.hpp"
 #include "coupler/program_path.hpp"

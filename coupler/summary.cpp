@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "common/probe_columns.hpp"
+#include "common/case/probe_columns.hpp"
 #include "common/version.hpp"
 #include "coupler/replace_file.hpp"
 

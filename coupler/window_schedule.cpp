@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/case/window_sizes.hpp"
 #include "common/error.hpp"
-#include "common/window_sizes.hpp"
 
 namespace cosurge {
 namespace {

@@ -13,7 +13,7 @@
 #include <thread>
 
 #include "common/error.hpp"
-#include "common/wire_words.hpp"
+#include "common/wire/wire_words.hpp"
 
 namespace cosurge {
 namespace {

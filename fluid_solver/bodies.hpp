@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "common/body_sites.hpp"
+#include "common/geometry/body_sites.hpp"
 #include "common/participant.hpp"
 
 namespace cosurge::fluid {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/lattice.hpp"
+#include "common/geometry/lattice.hpp"
 
 namespace cosurge::fluid {
 

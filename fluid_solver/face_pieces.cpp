@@ -1,6 +1,6 @@
 #include "fluid_solver/face_pieces.hpp"
 
-#include "common/box_facets.hpp"
+#include "common/geometry/box_facets.hpp"
 
 namespace cosurge::fluid {
 namespace {

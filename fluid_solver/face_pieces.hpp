@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "common/shape.hpp"
+#include "common/geometry/shape.hpp"
 
 namespace cosurge::fluid {
 

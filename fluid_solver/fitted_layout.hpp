@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "common/shape.hpp"
+#include "common/geometry/shape.hpp"
 #include "fluid_solver/particles.hpp"
 
 namespace cosurge::fluid {

@@ -1,8 +1,8 @@
 #include "fluid_solver/fluid_participant.hpp"
 
+#include "common/case/window_sizes.hpp"
 #include "common/solvers.hpp"
 #include "common/version.hpp"
-#include "common/window_sizes.hpp"
 #include "fluid_solver/gauges.hpp"
 #include "fluid_solver/lost_water.hpp"
 #include "fluid_solver/mps.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "common/motion.hpp"
+#include "common/geometry/motion.hpp"
 #include "common/participant.hpp"
 #include "common/state_bytes.hpp"
 #include "fluid_solver/particles.hpp"

@@ -1,6 +1,6 @@
 #include "fluid_solver/probes.hpp"
 
-#include "common/probe_columns.hpp"
+#include "common/case/probe_columns.hpp"
 #include "fluid_solver/body_load.hpp"
 #include "fluid_solver/gauges.hpp"
 #include "fluid_solver/wall_load.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "common/probe_mount.hpp"
+#include "common/case/probe_mount.hpp"
 #include "fluid_solver/load.hpp"
 #include "fluid_solver/mps.hpp"
 #include "fluid_solver/water_level.hpp"

@@ -1,8 +1,8 @@
 // The walls: tank and obstacles, at rest or in a prescribed motion.
 #pragma once
 
-#include "common/motion.hpp"
-#include "common/shape.hpp"
+#include "common/geometry/motion.hpp"
+#include "common/geometry/shape.hpp"
 #include "fluid_solver/particles.hpp"
 #include "fluid_solver/point_hash.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "common/carriers.hpp"
+#include "common/case/carriers.hpp"
 #include "common/state_bytes.hpp"
 
 namespace cosurge {

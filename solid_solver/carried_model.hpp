@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "common/motion.hpp"
+#include "common/geometry/motion.hpp"
 #include "solid_solver/wrapped_model.hpp"
 
 namespace cosurge {

@@ -2,8 +2,8 @@
 
 #include <Eigen/SVD>
 
-#include "common/carriers.hpp"
-#include "common/motion.hpp"
+#include "common/case/carriers.hpp"
+#include "common/geometry/motion.hpp"
 #include "solid_solver/models/make_model.hpp"
 #include "solid_solver/oscillator.hpp"
 

@@ -1,7 +1,7 @@
 // Volume, surface and moments of a shape.
 #pragma once
 
-#include "common/shape.hpp"
+#include "common/geometry/shape.hpp"
 
 namespace cosurge {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/body_sites.hpp"
+#include "common/geometry/body_sites.hpp"
 #include "common/vec.hpp"
 #include "solid_solver/models/modal/modes.hpp"
 #include "solid_solver/models/relocated_model.hpp"

@@ -4,13 +4,13 @@
 #include <limits>
 #include <numbers>
 
-#include "common/body_sites.hpp"
+#include "common/case/window_sizes.hpp"
 #include "common/error.hpp"
-#include "common/shape.hpp"
+#include "common/geometry/body_sites.hpp"
+#include "common/geometry/shape.hpp"
 #include "common/solvers.hpp"
 #include "common/state_bytes.hpp"
 #include "common/version.hpp"
-#include "common/window_sizes.hpp"
 #include "solid_solver/carried_model.hpp"
 #include "solid_solver/contact/contact_model.hpp"
 #include "solid_solver/models/make_model.hpp"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "common/error.hpp"
-#include "common/lattice.hpp"
+#include "common/geometry/lattice.hpp"
 
 namespace cosurge {
 

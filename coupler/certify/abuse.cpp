@@ -2,8 +2,8 @@
 
 #include <thread>
 
-#include "common/convert.hpp"
 #include "common/version.hpp"
+#include "common/wire/convert.hpp"
 
 namespace cosurge::certify {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "common/channel.hpp"
+#include "common/wire/channel.hpp"
 #include "coupler/certify/scene.hpp"
 #include "coupler/launcher.hpp"
 #include "coupler/run_folder.hpp"

@@ -2,8 +2,8 @@
 
 #include <fstream>
 
-#include "common/case_file.hpp"
-#include "common/lattice.hpp"
+#include "common/case/case_file.hpp"
+#include "common/geometry/lattice.hpp"
 
 namespace cosurge::certify {
 namespace {

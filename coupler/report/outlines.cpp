@@ -4,9 +4,9 @@
 
 #include <set>
 
-#include "common/body_sites.hpp"
-#include "common/carriers.hpp"
-#include "common/motion.hpp"
+#include "common/case/carriers.hpp"
+#include "common/geometry/body_sites.hpp"
+#include "common/geometry/motion.hpp"
 #include "coupler/report/shape_lines.hpp"
 
 namespace cosurge {

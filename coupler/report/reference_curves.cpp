@@ -7,7 +7,7 @@
 #include <fstream>
 #include <optional>
 
-#include "common/probe_columns.hpp"
+#include "common/case/probe_columns.hpp"
 
 namespace cosurge {
 namespace {

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <limits>
 
-#include "common/probe_columns.hpp"
+#include "common/case/probe_columns.hpp"
 #include "coupler/history.hpp"
 
 namespace cosurge {

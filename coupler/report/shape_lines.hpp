@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "common/shape.hpp"
+#include "common/geometry/shape.hpp"
 
 namespace cosurge {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <map>
 
-#include "common/box_facets.hpp"
-#include "common/triangles.hpp"
+#include "common/geometry/box_facets.hpp"
+#include "common/geometry/triangles.hpp"
 
 namespace cosurge::contact {
 namespace {

@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
+#include "common/geometry/shape.hpp"
 #include "common/participant.hpp"
-#include "common/shape.hpp"
 
 namespace cosurge::contact {
 

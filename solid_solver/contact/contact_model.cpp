@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/carriers.hpp"
+#include "common/case/carriers.hpp"
+#include "common/case/window_sizes.hpp"
 #include "common/error.hpp"
 #include "common/state_bytes.hpp"
-#include "common/window_sizes.hpp"
 #include "solid_solver/contact/vertex_motion.hpp"
 
 namespace cosurge::contact {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "common/carriers.hpp"
+#include "common/case/carriers.hpp"
 #include "common/error.hpp"
 
 namespace cosurge::contact {

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "common/motion.hpp"
+#include "common/geometry/motion.hpp"
 #include "solid_solver/contact/facet_search.hpp"
 
 namespace cosurge::contact {

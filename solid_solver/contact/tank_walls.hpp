@@ -4,7 +4,7 @@
 #include <string>
 
 #include "common/error.hpp"
-#include "common/motion.hpp"
+#include "common/geometry/motion.hpp"
 
 namespace cosurge::contact {
 

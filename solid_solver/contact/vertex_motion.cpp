@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "common/error.hpp"
-#include "common/shape.hpp"
+#include "common/geometry/shape.hpp"
 
 namespace cosurge::contact {
 namespace {

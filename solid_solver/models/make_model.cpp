@@ -1,7 +1,7 @@
 #include "solid_solver/models/make_model.hpp"
 
-#include "common/body_sites.hpp"
 #include "common/error.hpp"
+#include "common/geometry/body_sites.hpp"
 #include "common/vec.hpp"
 #include "solid_solver/models/fem/fem_model.hpp"
 #include "solid_solver/models/hamiltonian/hamiltonian_body.hpp"

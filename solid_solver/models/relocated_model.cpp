@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "common/shape.hpp"
+#include "common/geometry/shape.hpp"
 
 namespace cosurge {
 namespace {

@@ -1,5 +1,5 @@
 // A water column without particles as a solver program.
-#include "common/serve_main.hpp"
+#include "common/wire/serve_main.hpp"
 #include "tests/support/mock_participant.hpp"
 
 int main(int argc, char** argv) {

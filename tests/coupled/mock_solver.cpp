@@ -7,8 +7,8 @@
 #include <limits>
 #include <thread>
 
-#include "common/serve.hpp"
 #include "common/version.hpp"
+#include "common/wire/serve.hpp"
 #include "tests/support/mock_participant.hpp"
 
 namespace cosurge {

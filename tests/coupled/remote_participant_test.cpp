@@ -1,4 +1,4 @@
-#include "common/remote_participant.hpp"
+#include "common/wire/remote_participant.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
 #include <set>
 #include <sstream>
 
-#include "common/probe_columns.hpp"
+#include "common/case/probe_columns.hpp"
 #include "tests/support/cosurge_program.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/results.hpp"
@@ -224,7 +224,7 @@ TEST_F(WaysOfUse, AMapTakesVectorsAndFailsWhereEveryCellHas) {
   EXPECT_THAT(run(map + "solid.density=-1,-2", scratch_.path(), 1), HasSubstr("every cell failed"));
 }
 
-// The names that common/probe_columns.cpp keeps from probes are those of the solvers.
+// The names that common/case/probe_columns.cpp keeps from probes are those of the solvers.
 TEST_F(WaysOfUse, TheColumnsOfTheResultsAreThoseThatNoProbeMayHave) {
   for (const char* model : {"fem", "rigid", "sprung", "mps", "modal", "hamiltonian"}) {
     const std::string spring =

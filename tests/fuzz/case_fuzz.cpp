@@ -1,7 +1,7 @@
 // Any bytes as a case file: read, or rejected with a message.
 #include <fstream>
 
-#include "common/case_file.hpp"
+#include "common/case/case_file.hpp"
 #include "common/error.hpp"
 #include "tests/support/scratch_folder.hpp"
 

@@ -1,8 +1,8 @@
 // Any bytes instead of one reply of a legal run: accepted with finite numbers, or rejected with a message.
 #include <cstdlib>
 
-#include "common/remote_participant.hpp"
-#include "common/serve.hpp"
+#include "common/wire/remote_participant.hpp"
+#include "common/wire/serve.hpp"
 #include "tests/fuzz/legal_seed.hpp"
 #include "tests/support/requests.hpp"
 

@@ -1,6 +1,6 @@
 // Any bytes instead of one request of a legal run: answered, or rejected with a message.
-#include "common/message_parts.hpp"
-#include "common/serve.hpp"
+#include "common/wire/message_parts.hpp"
+#include "common/wire/serve.hpp"
 #include "tests/fuzz/legal_seed.hpp"
 #include "tests/support/requests.hpp"
 

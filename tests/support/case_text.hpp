@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "common/case_file.hpp"
+#include "common/case/case_file.hpp"
 #include "common/error.hpp"
 #include "tests/support/scratch_folder.hpp"
 

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "common/body_sites.hpp"
+#include "common/geometry/body_sites.hpp"
 #include "common/participant.hpp"
 
 namespace cosurge::test {

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "common/convert.hpp"
 #include "common/version.hpp"
+#include "common/wire/convert.hpp"
 #include "tests/support/mock_participant.hpp"
 
 namespace cosurge::testing {

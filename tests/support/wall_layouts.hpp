@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "common/shape.hpp"
+#include "common/geometry/shape.hpp"
 #include "fluid_solver/fitted_layout.hpp"
 
 namespace cosurge::fluid::test {

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <vector>
 
-#include "common/case_file.hpp"
+#include "common/case/case_file.hpp"
 #include "solid_solver/solid_participant.hpp"
 
 namespace cosurge {

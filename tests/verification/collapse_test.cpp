@@ -5,7 +5,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "common/case_file.hpp"
+#include "common/case/case_file.hpp"
 #include "common/vec.hpp"
 #include "tests/support/recording.hpp"
 

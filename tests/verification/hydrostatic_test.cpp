@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "common/case_file.hpp"
+#include "common/case/case_file.hpp"
 #include "tests/support/recording.hpp"
 
 namespace cosurge::testing {

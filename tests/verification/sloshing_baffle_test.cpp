@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "common/case_file.hpp"
-#include "common/motion.hpp"
+#include "common/case/case_file.hpp"
+#include "common/geometry/motion.hpp"
 #include "tests/support/recording.hpp"
 
 namespace cosurge::testing {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "common/case_file.hpp"
+#include "common/case/case_file.hpp"
 #include "common/error.hpp"
 #include "tests/support/recording.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "common/case_file.hpp"
+#include "common/case/case_file.hpp"
 #include "tests/support/recording.hpp"
 
 namespace cosurge::testing {

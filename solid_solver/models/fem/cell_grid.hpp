@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "common/cell_block.hpp"
-#include "common/shape.hpp"
+#include "common/geometry/shape.hpp"
 #include "solid_solver/models/fem/quadratic_element.hpp"
 
 namespace cosurge::fem {

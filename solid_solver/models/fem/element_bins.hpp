@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "common/cell_block.hpp"
-#include "common/lattice.hpp"
+#include "common/geometry/lattice.hpp"
 
 namespace cosurge::fem {
 

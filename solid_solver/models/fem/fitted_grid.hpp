@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "common/geometry/shape.hpp"
 #include "common/participant.hpp"
-#include "common/shape.hpp"
 #include "solid_solver/models/fem/quadratic_element.hpp"
 
 namespace cosurge::fem {

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "common/shape.hpp"
+#include "common/geometry/shape.hpp"
 
 namespace cosurge::fem {
 

@@ -1,7 +1,7 @@
 // The axes along which a shape is gridded.
 #pragma once
 
-#include "common/shape.hpp"
+#include "common/geometry/shape.hpp"
 
 namespace cosurge::fem {
 

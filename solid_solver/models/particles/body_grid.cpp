@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "common/body_sites.hpp"
+#include "common/geometry/body_sites.hpp"
 
 namespace cosurge::particles {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "common/shape.hpp"
+#include "common/geometry/shape.hpp"
 #include "solid_solver/models/particles/stencil.hpp"
 #include "solid_solver/supports.hpp"
 

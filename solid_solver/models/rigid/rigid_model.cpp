@@ -1,8 +1,8 @@
 #include "solid_solver/models/rigid/rigid_model.hpp"
 
-#include "common/body_sites.hpp"
 #include "common/error.hpp"
-#include "common/shape.hpp"
+#include "common/geometry/body_sites.hpp"
+#include "common/geometry/shape.hpp"
 #include "common/state_bytes.hpp"
 
 namespace cosurge {

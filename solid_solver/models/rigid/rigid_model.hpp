@@ -1,7 +1,7 @@
 // The model `rigid`: bodies that are held, all of them.
 #pragma once
 
-#include "common/lattice.hpp"
+#include "common/geometry/lattice.hpp"
 #include "solid_solver/solid_model.hpp"
 
 namespace cosurge {

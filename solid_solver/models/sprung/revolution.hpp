@@ -20,7 +20,7 @@ class Revolution {
   static constexpr int nodes = dim + 1;
   using Nodal = Eigen::Matrix<double, dim, nodes>;
 
-  /// @param parameters of a checked case (common/spring_rules.hpp)
+  /// @param parameters of a checked case (common/case/spring_rules.hpp)
   /// @param second integral of the density times X (x) X from the pivot [kg m2]
   /// @param length of the nodes' arms [m]
   Revolution(const v1::SolidSprung& parameters, const Mat<dim>& second, double length);

@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "common/shape.hpp"
+#include "common/geometry/shape.hpp"
 #include "common/state_bytes.hpp"
 #include "solid_solver/models/sprung/revolution.hpp"
 #include "solid_solver/oscillator.hpp"
@@ -23,7 +23,7 @@ class SprungBody {
   using Nodal = Eigen::Matrix<double, dim, nodes>;
   using Coefficients = Eigen::Matrix<double, nodes, 1>;
 
-  /// @param index of the body, for messages; `parameters` of a checked case (common/spring_rules.hpp)
+  /// @param index of the body, for messages; `parameters` of a checked case (common/case/spring_rules.hpp)
   SprungBody(const v1::Body& body, int index, const v1::SolidSprung& parameters, double density,
              const Vec<dim>& gravity);
 

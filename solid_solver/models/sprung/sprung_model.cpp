@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/body_sites.hpp"
 #include "common/error.hpp"
+#include "common/geometry/body_sites.hpp"
 
 namespace cosurge::sprung {
 

@@ -1,4 +1,4 @@
-#include "common/body_sites.hpp"
+#include "common/geometry/body_sites.hpp"
 
 #include <gtest/gtest.h>
 

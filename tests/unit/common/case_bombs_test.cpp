@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "common/case_file.hpp"
-#include "common/crossing_sides.hpp"
+#include "common/case/case_file.hpp"
 #include "common/error.hpp"
+#include "common/geometry/crossing_sides.hpp"
 #include "tests/support/case_text.hpp"
 #include "tests/support/scratch_folder.hpp"
 

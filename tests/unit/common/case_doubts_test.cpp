@@ -1,4 +1,4 @@
-#include "common/case_doubts.hpp"
+#include "common/case/case_doubts.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "common/case_file.hpp"
+#include "common/case/case_file.hpp"
 #include "tests/support/case_text.hpp"
 
 namespace cosurge {

@@ -1,4 +1,4 @@
-#include "common/case_file.hpp"
+#include "common/case/case_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "common/case_rules.hpp"
+#include "common/case/case_rules.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

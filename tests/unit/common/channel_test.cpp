@@ -1,4 +1,4 @@
-#include "common/channel.hpp"
+#include "common/wire/channel.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "common/connection.hpp"
+#include "common/wire/connection.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "common/convert.hpp"
+#include "common/wire/convert.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "common/facet_tree.hpp"
+#include "common/geometry/facet_tree.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 #include <chrono>
 #include <random>
 
-#include "common/remote_participant.hpp"
-#include "common/serve.hpp"
+#include "common/wire/remote_participant.hpp"
+#include "common/wire/serve.hpp"
 #include "tests/support/mock_participant.hpp"
 #include "tests/support/requests.hpp"
 

@@ -1,14 +1,14 @@
-#include "common/message_parts.hpp"
+#include "common/wire/message_parts.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <chrono>
 
-#include "common/channel.hpp"
-#include "common/convert.hpp"
 #include "common/error.hpp"
-#include "common/wire_words.hpp"
+#include "common/wire/channel.hpp"
+#include "common/wire/convert.hpp"
+#include "common/wire/wire_words.hpp"
 #include "proto/exchange.pb.h"
 
 namespace cosurge {

@@ -1,5 +1,5 @@
 // Rules for bodies whose shape is an outline.
-#include "common/outline_rules.hpp"
+#include "common/case/outline_rules.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

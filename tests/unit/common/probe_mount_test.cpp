@@ -1,4 +1,4 @@
-#include "common/probe_mount.hpp"
+#include "common/case/probe_mount.hpp"
 
 #include <gtest/gtest.h>
 

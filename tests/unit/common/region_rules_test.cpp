@@ -1,4 +1,4 @@
-#include "common/region_rules.hpp"
+#include "common/case/region_rules.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "common/serve.hpp"
+#include "common/wire/serve.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "common/shape.hpp"
+#include "common/geometry/shape.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

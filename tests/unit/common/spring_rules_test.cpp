@@ -1,4 +1,4 @@
-#include "common/spring_rules.hpp"
+#include "common/case/spring_rules.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "common/stl.hpp"
+#include "common/geometry/stl.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include "common/error.hpp"
-#include "common/shape.hpp"
+#include "common/geometry/shape.hpp"
 #include "tests/support/case_text.hpp"
 
 namespace cosurge {

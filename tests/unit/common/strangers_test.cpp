@@ -12,8 +12,8 @@
 #include <filesystem>
 #include <thread>
 
-#include "common/channel.hpp"
-#include "common/gate.hpp"
+#include "common/wire/channel.hpp"
+#include "common/wire/gate.hpp"
 #include "proto/exchange.pb.h"
 #include "tests/support/scratch_folder.hpp"
 

@@ -1,4 +1,4 @@
-#include "common/table.hpp"
+#include "common/case/table.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

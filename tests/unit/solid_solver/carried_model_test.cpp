@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "common/carriers.hpp"
+#include "common/case/carriers.hpp"
 #include "common/error.hpp"
-#include "common/motion.hpp"
+#include "common/geometry/motion.hpp"
 #include "solid_solver/models/make_model.hpp"
 #include "tests/support/contact_scene.hpp"
 #include "tests/support/rolling_tank.hpp"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "common/motion.hpp"
+#include "common/geometry/motion.hpp"
 #include "solid_solver/solid_participant.hpp"
 #include "tests/support/outlines.hpp"
 #include "tests/support/rolling_tank.hpp"

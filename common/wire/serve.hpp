@@ -1,0 +1,55 @@
+// The solver's side of the protocol (docs/protocol.md).
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "common/participant.hpp"
+#include "common/wire/channel.hpp"
+#include "proto/exchange.pb.h"
+
+namespace cosurge {
+
+/// The coupler has refused this solver or ended the run; it waits for no answer.
+class Dismissed : public Error {
+ public:
+  using Error::Error;
+};
+
+/// Answers requests on behalf of a participant, in the order that the protocol allows. Knows no wire.
+class Service {
+ public:
+  enum class State { greeted, welcomed, running, over };
+
+  Service(Participant& participant, std::string token);
+
+  v1::Reply hello() const;
+
+  /// @throws Dismissed after Refuse and Abort; Error for a request that is out of order, or wrong in itself;
+  /// otherwise what the participant throws. Errors say in which call and window. The service is over then.
+  v1::Reply answer(const v1::Request& request);
+
+  State state() const { return state_; }
+
+ private:
+  void dispatch(const v1::Request& request, v1::Reply& reply);
+  void welcome(const v1::Welcome& request) const;
+  void initialize(const v1::Initialize& request, v1::Reply& reply);
+  void advance(const v1::Advance& request, v1::Reply& reply);
+  void check_attempt(const Window& window);
+
+  Participant& participant_;
+  Identity identity_;
+  std::string token_;
+  State state_ = State::greeted;
+  std::uint64_t sequence_ = 0;
+  Interface interface_;
+  Surface surface_;
+  Window remembered_;  // that may be gone through again; attempt 0: none
+};
+
+/// Serves one run: sends Hello and answers until the run is finalized. Errors are reported to the coupler,
+/// where there still is one, and thrown.
+void serve(Participant& participant, Channel& channel, const std::string& token);
+
+}  // namespace cosurge
