@@ -23,8 +23,10 @@ std::string lost_water(const Recorder& recorder) {
   }
   if (lost == 0) return "";
   const double all = left->last() + lost;
-  return fmt::format("water lost: {:.0f} of {:.0f} particles ({:.2g} %) have left the tank: {}", lost, all,
-                     100 * lost / all, fmt::join(places, ", "));
+  const History* over_rim = recorder.history("fluid/lost_over_rim");
+  return fmt::format(
+      "water lost: {:.0f} of {:.0f} particles ({:.2g} %) have left the tank: {}, {:.0f} of them over the rim",
+      lost, all, 100 * lost / all, fmt::join(places, ", "), over_rim ? over_rim->last() : 0);
 }
 
 }  // namespace cosurge

@@ -31,12 +31,18 @@ template <int dim>
 void LostWater<dim>::after_step(const Particles<dim>& particles, double t) {
   for (const std::int32_t id : particles.id) here_[static_cast<std::size_t>(id)] = 0;
   for (std::size_t id = 0; id < here_.size(); ++id)
-    if (here_[id] != 0) ++lost_[side_of(place_[id], t)];
+    if (here_[id] != 0) {
+      const Vec<dim> at = motion_.moves() ? motion_.origin(place_[id], t) : place_[id];
+      ++lost_[side_of(at)];
+      if (at[dim - 1] > tank_.max[dim - 1]) ++over_rim_;
+    }
   if (lost() <= most_lost_ * water_) return;
   throw NumericalError(fmt::format(
       "{:.0f} of {:.0f} water particles ({:.3g} %) have left the tank by t = {:.4g} s: {}; fluid.most_lost = "
-      "{} allows {:.3g} %. Make the tank higher, time.window smaller or fluid.most_lost larger",
-      lost(), water_, 100 * lost() / water_, t, where(), most_lost_, 100 * most_lost_));
+      "{} allows {:.3g} %. {}, or allow more by fluid.most_lost",
+      lost(), water_, 100 * lost() / water_, t, where(), most_lost_, 100 * most_lost_,
+      2 * over_rim_ > lost() ? "Make the tank higher, or close it by an obstacle as its roof"
+                             : "Make time.window smaller"));
 }
 
 template <int dim>
@@ -44,12 +50,11 @@ std::string LostWater<dim>::side_name(std::size_t side) {
   return fmt::format("{}_{}", "xyz"[side / 2], side % 2 == 0 ? "min" : "max");
 }
 
-/// The side wall, or the floor, that x, as the tank sees it, is farthest beyond; the top where it is beyond
-/// outside none but the top; else the nearest wall.
+/// The side wall, or the floor, that `at`, in the tank's coordinates, is farthest beyond; the top where it is
+/// beyond no other; else the nearest wall.
 template <int dim>
-std::size_t LostWater<dim>::side_of(const Vec<dim>& x, double t) const {
+std::size_t LostWater<dim>::side_of(const Vec<dim>& at) const {
   constexpr std::size_t top = sides - 1;
-  const Vec<dim> at = motion_.moves() ? motion_.origin(x, t) : x;
   std::array<double, sides> beyond{};
   for (std::size_t side = 0; side < sides; side += 2) {
     const auto axis = static_cast<Eigen::Index>(side / 2);
@@ -74,13 +79,14 @@ std::string LostWater<dim>::where() const {
     places.push_back(fmt::format("{:.0f} at {} = {:g} m", lost_[side], "xyz"[side / 2],
                                  side % 2 == 0 ? tank_.min[axis] : tank_.max[axis]));
   }
-  return fmt::format("{}", fmt::join(places, ", "));
+  return fmt::format("{}, {:.0f} of them over the rim", fmt::join(places, ", "), over_rim_);
 }
 
 template <int dim>
 std::vector<Column> LostWater<dim>::columns() {
   std::vector<Column> columns = {{"water", "-"}};
   for (std::size_t side = 0; side < sides; ++side) columns.push_back({"lost_" + side_name(side), "-"});
+  columns.push_back({"lost_over_rim", "-"});
   return columns;
 }
 
@@ -88,17 +94,20 @@ template <int dim>
 std::vector<double> LostWater<dim>::values() const {
   std::vector<double> values = {water_ - lost()};
   values.insert(values.end(), lost_.begin(), lost_.end());
+  values.push_back(over_rim_);
   return values;
 }
 
 template <int dim>
 void LostWater<dim>::save(StateWriter& state) const {
   for (const double lost : lost_) state.put(lost);
+  state.put(over_rim_);
 }
 
 template <int dim>
 void LostWater<dim>::restore(StateReader& state) {
   for (double& lost : lost_) state.get(lost);
+  state.get(over_rim_);
 }
 
 template class LostWater<2>;

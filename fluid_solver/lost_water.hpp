@@ -26,7 +26,8 @@ class LostWater {
   /// @throws NumericalError where more than fluid.most_lost of the water is gone.
   void after_step(const Particles<dim>& particles, double t);
 
-  /// "lost_x_min", ...: particles lost at each side so far. "water": particles that are left.
+  /// "lost_x_min", ...: particles lost at each side so far. "lost_over_rim": those that were above the top of
+  /// the tank. "water": particles that are left.
   static std::vector<Column> columns();
   std::vector<double> values() const;
 
@@ -37,7 +38,7 @@ class LostWater {
   static constexpr std::size_t sides = std::size_t{2} * dim;
 
   static std::string side_name(std::size_t side);
-  std::size_t side_of(const Vec<dim>& x, double t) const;
+  std::size_t side_of(const Vec<dim>& at) const;
   double lost() const;
   std::string where() const;
 
@@ -46,8 +47,9 @@ class LostWater {
   double most_lost_;
   double water_;                      // particles at the start
   std::array<double, sides> lost_{};  // smaller, then larger side of each axis
-  std::vector<Vec<dim>> place_;       // positions of the particles before the step, by id
-  std::vector<char> here_;            // whether this one is water that was there
+  double over_rim_ = 0;
+  std::vector<Vec<dim>> place_;  // positions of the particles before the step, by id
+  std::vector<char> here_;       // whether this one is water that was there
 };
 
 }  // namespace cosurge::fluid

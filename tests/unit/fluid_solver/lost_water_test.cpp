@@ -41,7 +41,7 @@ struct Scene {
 TEST(LostWater, IsCountedAtTheSideWhereItWasLast) {
   Scene scene;
   LostWater<2> lost(scene.fluid, scene.particles);
-  EXPECT_THAT(lost.values(), ElementsAre(10, 0, 0, 0, 0));
+  EXPECT_THAT(lost.values(), ElementsAre(10, 0, 0, 0, 0, 0));
   EXPECT_EQ(lost.columns()[1].name, "lost_x_min");
   EXPECT_EQ(lost.columns()[4].name, "lost_y_max");
   scene.put(3, {-0.01, 1.2});  // over the rim on the left
@@ -52,10 +52,10 @@ TEST(LostWater, IsCountedAtTheSideWhereItWasLast) {
   lost.before_step(scene.particles);
   for (const int id : {3, 4, 5, 6, 7}) scene.take(id);
   lost.after_step(scene.particles, 0.1);
-  EXPECT_THAT(lost.values(), ElementsAre(5, 1, 2, 1, 1));
+  EXPECT_THAT(lost.values(), ElementsAre(5, 1, 2, 1, 1, 2));
   lost.before_step(scene.particles);
   lost.after_step(scene.particles, 0.2);
-  EXPECT_THAT(lost.values(), ElementsAre(5, 1, 2, 1, 1));
+  EXPECT_THAT(lost.values(), ElementsAre(5, 1, 2, 1, 1, 2));
 }
 
 TEST(LostWater, IsSeenFromTheMovingTank) {
@@ -67,7 +67,7 @@ TEST(LostWater, IsSeenFromTheMovingTank) {
   lost.before_step(scene.particles);
   scene.take(3);
   lost.after_step(scene.particles, 1);
-  EXPECT_THAT(lost.values(), ElementsAre(9, 1, 0, 0, 0));
+  EXPECT_THAT(lost.values(), ElementsAre(9, 1, 0, 0, 0, 0));
 }
 
 TEST(LostWater, EndsTheRunWhereItIsMoreThanAllowed) {
@@ -84,9 +84,26 @@ TEST(LostWater, EndsTheRunWhereItIsMoreThanAllowed) {
     lost.after_step(scene.particles, 0.2);
     FAIL();
   } catch (const NumericalError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("2 of 10 water particles (20 %) have left the tank by t = 0.2 s: 2 "
-                                        "at x = 1 m; fluid.most_lost = 0.1 allows 10 %"));
+    EXPECT_THAT(error.what(),
+                HasSubstr("2 of 10 water particles (20 %) have left the tank by t = 0.2 s: 2 "
+                          "at x = 1 m, 0 of them over the rim; fluid.most_lost = 0.1 allows 10 %. "
+                          "Make time.window smaller"));
   }
+}
+
+TEST(LostWater, IsToldToStayUnderARoofWhereItLeavesOverTheRim) {
+  Scene scene(0.1);
+  LostWater<2> lost(scene.fluid, scene.particles);
+  scene.put(1, {-0.01, 1.2});
+  scene.put(2, {0.2, 1.1});
+  lost.before_step(scene.particles);
+  scene.take(1);
+  scene.take(2);
+  EXPECT_THAT(
+      [&] { lost.after_step(scene.particles, 0.2); },
+      ::testing::ThrowsMessage<NumericalError>(HasSubstr("1 at x = 0 m, 1 at y = 1 m, 2 of them over the "
+                                                         "rim; fluid.most_lost = 0.1 allows 10 %. Make "
+                                                         "the tank higher, or close it")));
 }
 
 TEST(LostWater, IsSavedAndRestored) {
