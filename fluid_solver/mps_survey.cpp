@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/case/window_sizes.hpp"
 #include "common/error.hpp"
 #include "fluid_solver/mps.hpp"
 
@@ -33,7 +34,8 @@ void Mps<dim>::check_bounds(int water, int which, double fastest, double end) co
 template <int dim>
 StepReport Mps<dim>::survey(double end, double dt) {
   double fastest = 0;  // largest speed [m/s]
-  double fastest_bound = std::max({max_body_speed_, walls_.speed(), walls_.speed_between(end, end + dt)});
+  const double wall_speed = std::max(walls_.speed(), walls_.speed_between(end, end + dt));
+  double fastest_bound = std::max(max_body_speed_, wall_speed);
   int which = -1;
   int water = 0;
   for (int i = 0; i < particles_.size(); ++i) {
@@ -46,17 +48,21 @@ StepReport Mps<dim>::survey(double end, double dt) {
   }
   check_bounds(water, which, fastest, end);
   const double flight = free_flight * parameters_.spacing() / std::max(fastest, 1e-12);
-  return {.pressure = {}, .max_speed = fastest, .max_window = std::min(flight, longest_step(fastest_bound))};
+  return {.pressure = {},
+          .max_speed = fastest,
+          .max_window = std::min(flight, longest_step(fastest_bound, wall_speed))};
 }
 
-/// Eq. (17) but for free flight, for water, walls and bodies of at most `speed` [m/s].
+/// Eq. (17) but for free flight, for water, walls and bodies of at most `speed` and walls of at most
+/// `wall_speed` [m/s].
 template <int dim>
-double Mps<dim>::longest_step(double speed) const {
+double Mps<dim>::longest_step(double speed, double wall_speed) const {
   const double spacing = parameters_.spacing();
   const double gravity = std::sqrt(spacing / std::max(gravity_.norm(), 1e-12));
   const double viscous = 0.2 * spacing * spacing / std::max(parameters_.kinematic_viscosity(), 1e-12);
-  const double advective = parameters_.courant() * spacing / std::max(speed, 1e-12);
-  const double longest = std::min({advective, viscous, parameters_.courant() * gravity});
+  const double courant = courant_number(parameters_, answers_to_walls * wall_speed > propagation_speed_);
+  const double advective = courant * spacing / std::max(speed, 1e-12);
+  const double longest = std::min({advective, viscous, courant * gravity});
   if (!open_surface()) return longest;
   // The density is corrected at the rate c / l0: water at rest boils where a window corrects all of it.
   constexpr double share = 0.5;
@@ -65,9 +71,10 @@ double Mps<dim>::longest_step(double speed) const {
 
 template <int dim>
 double Mps<dim>::first_window(double longest) const {
-  double window = std::min(longest, longest_step(max_body_speed_));
+  double window = std::min(longest, longest_step(max_body_speed_, 0));
   // Halved until it fits the wall speeds in it: walls may be faster in a short window than in a long one.
-  while (window > longest_step(walls_.speed_between(0, window))) window /= 2;
+  const auto allowed = [&](double speed) { return longest_step(speed, speed); };
+  while (window > allowed(walls_.speed_between(0, window))) window /= 2;
   return window;
 }
 

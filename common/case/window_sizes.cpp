@@ -12,6 +12,11 @@ double longest_window(const v1::Case& the_case) {
   return std::min(the_case.time().end(), the_case.output().frame_interval());
 }
 
+double courant_number(const v1::Fluid& fluid, bool driven) {
+  if (fluid.has_courant()) return fluid.courant();
+  return fluid.source() == v1::Fluid::time_scale && !driven ? 0.4 : 0.2;
+}
+
 double expected_window(const v1::Case& the_case) {
   const double longest = longest_window(the_case);
   if (!the_case.has_fluid() || the_case.time().stepping() == v1::Time::fixed) return longest;
@@ -24,7 +29,7 @@ double expected_window(const v1::Case& the_case) {
   const double gravity = std::abs(the_case.gravity(up));
   const double speed = 2 * std::sqrt(gravity * head);  // Ritter's bound of a front on a dry bed
   if (speed == 0) return longest;
-  return std::min(longest, the_case.fluid().courant() * the_case.fluid().spacing() / speed);
+  return std::min(longest, courant_number(the_case.fluid(), false) * the_case.fluid().spacing() / speed);
 }
 
 }  // namespace cosurge

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "common/case/window_sizes.hpp"
 #include "tests/support/outlines.hpp"
 #include "tests/support/small_dam_break.hpp"
 
@@ -199,13 +200,14 @@ TEST(MpsStep, ProposesTheStepThatItsFastestParticleAllows) {
   change_velocities(mps, [](Vec<2>& u, const Vec<2>&) { u = {0, 3}; });
   const StepReport up = mps.step(0, 1e-7);
   EXPECT_NEAR(up.max_speed, 3, 0.1);
-  EXPECT_NEAR(up.max_window, fluid.courant() * l0 / up.max_speed, 1e-12);
+  EXPECT_NEAR(up.max_window, courant_number(fluid, false) * l0 / up.max_speed, 1e-12);
   v1::Fluid still = small_dam_break();
   still.set_kinematic_viscosity(0.1);
   EXPECT_NEAR(Mps<2>(still, nullptr, down).step(0, 1e-6).max_window, 0.2 * l0 * l0 / 0.1, 1e-12);
   v1::Fluid slow = small_dam_break();
   slow.set_propagation_speed(0.1);
-  EXPECT_NEAR(Mps<2>(slow, nullptr, down).step(0, 1e-6).max_window, 0.2 * std::sqrt(l0 / g), 1e-12);
+  EXPECT_NEAR(Mps<2>(slow, nullptr, down).step(0, 1e-6).max_window,
+              courant_number(slow, false) * std::sqrt(l0 / g), 1e-12);
   slow.set_propagation_speed(2);  // the rate of the density's correction
   EXPECT_NEAR(Mps<2>(slow, nullptr, down).step(0, 1e-6).max_window, 0.5 * l0 / 2, 1e-12);
 }
@@ -216,7 +218,7 @@ TEST(MpsStep, TheFastestMovingBodyLimitsTheStepToo) {
   Field velocity = Field::Zero(2, mps.bodies().points());
   velocity(0, 5) = -7;
   mps.move_bodies(Field::Zero(2, mps.bodies().points()), velocity);
-  EXPECT_NEAR(mps.step(0, 1e-6).max_window, fluid.courant() * l0 / 7, 1e-12);
+  EXPECT_NEAR(mps.step(0, 1e-6).max_window, courant_number(fluid, false) * l0 / 7, 1e-12);
 }
 
 TEST(MpsLoad, IsMinusThePressureOnTheFaceTimesTheDeformedArea) {
@@ -246,10 +248,27 @@ TEST(MpsLoad, IsMinusThePressureOnTheFaceTimesTheDeformedArea) {
   EXPECT_GT(surface.pressure.maxCoeff(), 100);
 }
 
+TEST(MpsStep, WallsThatDriveTheWaterHaveTheSmallerCourantNumber) {
+  for (const auto [speed, driven] : {std::pair{0.1, false}, {1.0, true}}) {  // 15 V of c = 1.7 m/s
+    v1::Fluid fluid = tank_of_water(l0, box_of({0, 0}, {0.4, 0.4}), {box_of({0, 0}, {0.3, 0.3})});
+    v1::Obstacle& piston = *fluid.add_obstacle();
+    *piston.mutable_shape() = shape_of(box_of({0.32, 0.0}, {0.38, 0.2}));
+    for (const double value : {0.0, 0.0, 0.0, 0.0, 1.0, -speed, 0.0, 0.0})
+      piston.mutable_motion()->add_row(value);
+    fluid.set_kinematic_viscosity(0);
+    const double window = Mps<2>(fluid, nullptr, down).step(0, 1e-6).max_window;
+    const double gravity = courant_number(fluid, driven) * std::sqrt(l0 / g);
+    const double waves = 0.5 * l0 / std::sqrt(g * 0.3);
+    const double walls = courant_number(fluid, driven) * l0 / speed;
+    EXPECT_NEAR(window, std::min({gravity, waves, walls}), 1e-6) << speed;
+  }
+  EXPECT_LT(courant_number(v1::Fluid(), true), courant_number(v1::Fluid(), false));
+}
+
 TEST(MpsFirstWindow, KnowsGravityViscosityAndWallsThatMoveAtOnce) {
   v1::Fluid fluid = tank_of_water(l0, box_of({0, 0}, {0.4, 0.3}), {box_of({0, 0}, {0.3, 0.2})});
   fluid.set_propagation_speed(0.1);
-  const double gravity = fluid.courant() * std::sqrt(l0 / g);
+  const double gravity = courant_number(fluid, false) * std::sqrt(l0 / g);
   EXPECT_DOUBLE_EQ(Mps<2>(fluid, nullptr, down).first_window(1), gravity);
   EXPECT_EQ(Mps<2>(fluid, nullptr, down).first_window(0.1 * gravity), 0.1 * gravity);
   fluid.set_kinematic_viscosity(0.1);
@@ -260,8 +279,8 @@ TEST(MpsFirstWindow, KnowsGravityViscosityAndWallsThatMoveAtOnce) {
   for (const double value : {0.0, 0.0, 0.0, 0.0, 1.0, -20.0, 0.0, 0.0})
     piston.mutable_motion()->add_row(value);
   const double window = Mps<2>(fluid, nullptr, down).first_window(1);
-  EXPECT_LE(window, fluid.courant() * l0 / 20);  // 20 m/s
-  EXPECT_GT(window, 0.5 * fluid.courant() * l0 / 20);
+  EXPECT_LE(window, courant_number(fluid, true) * l0 / 20);  // 20 m/s
+  EXPECT_GT(window, 0.5 * courant_number(fluid, true) * l0 / 20);
 }
 
 }  // namespace
