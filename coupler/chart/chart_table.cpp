@@ -33,12 +33,14 @@ std::string head_of(const ChartTable& table) {
   return fmt::format("{}", fmt::join(cells, ","));
 }
 
-/// Rows with an error of quantity `q`, the cheapest first.
+/// All rows, the cheapest first and those that failed last.
 std::vector<const ChartRow*> by_cost(const ChartTable& table) {
   std::vector<const ChartRow*> rows;
   for (const ChartRow& row : table.rows) rows.push_back(&row);
-  std::stable_sort(rows.begin(), rows.end(),
-                   [](const ChartRow* a, const ChartRow* b) { return a->core_seconds < b->core_seconds; });
+  std::stable_sort(rows.begin(), rows.end(), [](const ChartRow* a, const ChartRow* b) {
+    const bool a_failed = a->state == "failed", b_failed = b->state == "failed";
+    return a_failed != b_failed ? b_failed : a->core_seconds < b->core_seconds;
+  });
   return rows;
 }
 
@@ -49,7 +51,10 @@ std::string percent(const ChartValue& value) {
 
 std::string line_of(const ChartRow& row, const ChartValue& value, bool scattered) {
   const std::string settings = fmt::format("{}", fmt::join(row.settings, " "));
-  if (row.state == "failed") return fmt::format("  {:>9}  failed: {}  {}\n", "", row.reason, settings);
+  constexpr std::size_t longest = 90;  // letters of a reason; the whole is in the table
+  if (row.state == "failed")
+    return fmt::format("  {:>9}  {}: {}{}\n", "failed", settings, row.reason.substr(0, longest),
+                       row.reason.size() > longest ? " ..." : "");
   if (row.state == "truth")
     return fmt::format("  {:>9.4g} {:>12.5g} {:>12}  {}\n", row.core_seconds, value.value, "the truth",
                        settings);

@@ -8,6 +8,7 @@
 
 #include "common/case/probe_columns.hpp"
 #include "common/error.hpp"
+#include "coupler/interface_account.hpp"
 
 namespace cosurge {
 namespace {
@@ -29,7 +30,8 @@ std::string without_blanks(std::string text) {
   return text;
 }
 
-/// The column of the results that a name means: "solid/tip_x" for "tip.x"; empty if there is none.
+/// The column of the results that a name means: "solid/tip_x" for "tip.x"; empty if there is none. Only
+/// columns that every run of the case writes, whatever its structural model.
 std::string column_of(const std::string& name, const v1::Case& the_case) {
   for (const v1::Probe& probe : the_case.output().probe())
     for (const std::string& column : probe_columns(probe, the_case.dimension())) {
@@ -37,11 +39,11 @@ std::string column_of(const std::string& name, const v1::Case& the_case) {
       const std::string component = probe.name() + "." + column.back();
       if (name == whole || name == column || (column != probe.name() && name == component)) return whole;
     }
-  for (const std::string group : {"fluid", "solid"}) {
-    const bool there = group == "fluid" ? the_case.has_fluid() : the_case.has_solid();
-    if (there && name.starts_with(group + "/") && is_own_column(group, name.substr(group.size() + 1)))
-      return name;
-  }
+  for (const char* own : {"front", "max_speed", "kinetic_energy", "gravity_energy"})
+    if (the_case.has_fluid() && name == std::string("fluid/") + own) return name;
+  if (the_case.has_fluid() && the_case.has_solid())
+    for (const Column& column : InterfaceAccount::columns(the_case.dimension()))
+      if (name == "coupling/" + column.name) return name;
   return "";
 }
 
@@ -61,8 +63,10 @@ std::vector<std::string> columns_of(const std::string& history, const std::strin
   if (minus != std::string::npos) names.push_back(history.substr(minus + 1));
   for (const std::string& name : names) {
     columns.push_back(column_of(name, the_case));
-    require(!columns.back().empty(), "--quantity {}: the case has no column {}; its probes have {}", text,
-            name, fmt::join(names_of_probes(the_case), ", "));
+    require(!columns.back().empty(),
+            "--quantity {}: the case has no column {}; its probes have {}; other columns are fluid/front, "
+            "fluid/max_speed, fluid/kinetic_energy, fluid/gravity_energy and coupling/force_x",
+            text, name, fmt::join(names_of_probes(the_case), ", "));
   }
   return columns;
 }

@@ -16,7 +16,7 @@ namespace cosurge {
 ///   impulse(H)       integral of H over time
 ///   rms(H)           root mean square of H less the true history
 /// H is a probe's column ("P01"; "tip.x" for a component), a column of the results ("fluid/front",
-/// "solid/load_x"), or the difference of two.
+/// "coupling/force_x"), or the difference of two.
 class Quantity {
  public:
   enum class Kind { peak, time_of_peak, impulse, rms };

@@ -53,6 +53,13 @@ def telling(rows):
     return kept
 
 
+def plain(axis):
+    """Plain numbers at 1, 2, 3 and 5 times the powers of ten."""
+    axis.set_major_locator(LogLocator(subs=(1, 2, 3, 5)))
+    axis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:g}"))
+    axis.set_minor_formatter(NullFormatter())
+
+
 def panel(axes, rows, name, unit, varied, style):
     points = [(float(row["core_seconds"]), float(row[f"{name} error"]), row, look) for row, look in zip(rows, style)
               if row["state"] == "finished" and row[f"{name} error"] and float(row[f"{name} error"]) > 0]
@@ -67,13 +74,12 @@ def panel(axes, rows, name, unit, varied, style):
                   label=label_of(row, varied), **look)
     truth = [abs(float(row[f"{name} truth"])) for row in rows if row[f"{name} truth"]]
     axes.set(xscale="log", yscale="log", xlabel="core seconds", ylabel=f"error [{unit}]", title=name)
-    axes.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
-    axes.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:g}"))
-    axes.xaxis.set_minor_formatter(NullFormatter())
+    plain(axes.xaxis)
+    plain(axes.yaxis)
     if truth and max(truth) > 0:
         right = axes.secondary_yaxis("right", functions=(lambda e: 100 * e / max(truth), lambda p: p * max(truth) / 100))
         right.set_ylabel("% of the true value")
-        right.yaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:g}"))
+        plain(right.yaxis)
     axes.margins(0.12)
 
 
