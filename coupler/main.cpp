@@ -9,6 +9,7 @@
 #include "common/version.hpp"
 #include "common/wire/wire_words.hpp"
 #include "coupler/certify_command.hpp"
+#include "coupler/chart/chart_command.hpp"
 #include "coupler/check_command.hpp"
 #include "coupler/csv_command.hpp"
 #include "coupler/map_command.hpp"
@@ -24,9 +25,11 @@ namespace {
 void add_case(CLI::App& command, std::string& path, std::vector<std::string>& overrides) {
   command.add_option("case", path, "Folder with a case.toml, or the file itself")->required();
   command
-      .add_option("--set", overrides,
-                  "Override values of the case: key.path=value, with the index for entries of lists "
-                  "(fluid.spacing=0.001 solid.model=rigid output.probe.0.name=top)")
+      .add_option(
+          "--set", overrides,
+          "Override values of the case: key.path=value, with the index for entries of lists "
+          "(fluid.spacing=0.001 solid.model=rigid output.probe.0.name=top); the word none removes a key: "
+          "time.window=none")
       ->take_all();
 }
 
@@ -83,6 +86,55 @@ CLI::App* add_watch(CLI::App& app, cosurge::WatchOptions& watch) {
       ->check(CLI::Range(0.5, 1000.0))
       ->capture_default_str();
   return command;
+}
+
+CLI::App* add_chart(CLI::App& app, cosurge::ChartOptions& chart) {
+  CLI::App* command = app.add_subcommand(
+      "chart", "Run a case with many settings, and tabulate the error of each against its cost");
+  add_case(*command, chart.case_path, chart.overrides);
+  command
+      ->add_option("--over", chart.over,
+                   "Values of a key to compare: key.path=value,value,...; several options: all combinations; "
+                   "key/key=value/value,... changes keys together; none is the key's default")
+      ->take_all();
+  command->add_option(
+      "--plan", chart.plan,
+      "Settings to compare, CSV: a key a column, a run a row; an empty cell leaves the case's "
+      "own value");
+  command
+      ->add_option("--quantity", chart.quantities,
+                   "What to compare: peak(H), time_of_peak(H), impulse(H), rms(H); H is a probe's column "
+                   "(P01, tip.x), a column of the results (fluid/front) or a difference (left-right); with a "
+                   "range of time: peak(tip.x, 0.1..0.4)")
+      ->required()
+      ->take_all();
+  command
+      ->add_option("--truth", chart.truth,
+                   "finest: the dearest run (default); KEY=VALUE ...: the run with these settings; FILE.csv: "
+                   "a curve, two columns time [s] and value; QUANTITY=FILE.csv; QUANTITY=NUMBER")
+      ->take_all();
+  command
+      ->add_option("--scatter", chart.scatter,
+                   "Number of perturbed starts of each run: gravity times 1 + 1e-6 k; the error is then the "
+                   "rms over all starts")
+      ->check(CLI::Range(0, 100));
+  command
+      ->add_option("--cores", chart.cores,
+                   "Number of simultaneous runs; more than one makes the costs less exact")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command->add_option("--out", chart.out, "Folder of the chart; an interrupted chart is continued")
+      ->required();
+  return command;
+}
+
+/// A word of a command line as it must be typed: in quotes where the shell would read it in another way.
+std::string shell_word(const std::string& word) {
+  const bool plain = word.find_first_of(" \t\n\"'`$&|;<>()[]{}*?!#~\\") == std::string::npos && !word.empty();
+  if (plain) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
 }
 
 /// Letters to insert, leave out, change or swap with the next to make one word of the other (Damerau 1964).
@@ -192,6 +244,9 @@ int main(int argc, char** argv) {
   map_app->add_option("--out", map.out, "The table, CSV; an interrupted map is continued")->required();
   map_app->add_option("--cores", map.cores, "Number of simultaneous runs; 0: one per core")
       ->check(CLI::Range(0, 1024));
+  cosurge::ChartOptions chart;
+  CLI::App* chart_app = add_chart(app, chart);
+
   cosurge::CsvOptions csv;
   CLI::App* csv_app = app.add_subcommand("csv", "Write the histories of a run as a CSV table, with units");
   csv_app->add_option("results", csv.results, "Folder of the results, or its results.h5")->required();
@@ -210,7 +265,8 @@ int main(int argc, char** argv) {
       return 2;
     }
   }
-  for (int k = 1; k < argc; ++k) map.note += (k > 1 ? " " : "cosurge ") + std::string(argv[k]);
+  for (int k = 1; k < argc; ++k) map.note += (k > 1 ? " " : "cosurge ") + shell_word(argv[k]);
+  chart.note = map.note;
 
   try {
     app.parse(argc, argv);
@@ -229,6 +285,7 @@ int main(int argc, char** argv) {
       return cosurge::certify_command(certify);
     }
     if (*map_app) return cosurge::map_command(map);
+    if (*chart_app) return cosurge::chart_command(chart);
     if (*csv_app) {
       cosurge::csv_command(csv);
       return 0;

@@ -10,6 +10,7 @@
 #include "common/case/case_file.hpp"
 #include "common/error.hpp"
 #include "common/threads.hpp"
+#include "coupler/case_grid.hpp"
 #include "coupler/map_cell.hpp"
 #include "coupler/replace_file.hpp"
 #include "coupler/say.hpp"
@@ -26,55 +27,6 @@ constexpr const char* columns =
     "state,end,windows,iterations,unconverged,ratio,alternation,created,frequency,amplitude,peak,peak_time,"
     "seconds,reason";
 
-struct Axis {
-  std::string key;
-  std::vector<std::string> values;
-};
-
-/// Parts between the characters `at` that are not within brackets or quotes: a vector is one value.
-std::vector<std::string> split(const std::string& text, char at) {
-  std::vector<std::string> parts(1);
-  int depth = 0;
-  bool quoted = false;
-  for (const char c : text) {
-    if (c == '"') quoted = !quoted;
-    if (!quoted && (c == '[' || c == '{')) ++depth;
-    if (!quoted && (c == ']' || c == '}')) --depth;
-    if (c == at && depth == 0 && !quoted)
-      parts.emplace_back();
-    else
-      parts.back() += c;
-  }
-  if (parts.back().empty()) parts.pop_back();
-  return parts;
-}
-
-Axis read_axis(const std::string& text) {
-  const auto equals = text.find('=');
-  require(equals != std::string::npos && equals + 1 < text.size(), "--over {}: must be key=value,value,...",
-          text);
-  Axis axis{.key = text.substr(0, equals), .values = split(text.substr(equals + 1), ',')};
-  for (const std::string& value : axis.values)
-    require(split(value, '/').size() == split(axis.key, '/').size(), "--over {}: {} is not a value for {}",
-            text, value, axis.key);
-  return axis;
-}
-
-/// Every combination of values, the last axis the fastest.
-std::vector<std::vector<std::string>> cells(const std::vector<Axis>& axes) {
-  std::vector<std::vector<std::string>> grid = {{}};
-  for (const Axis& axis : axes) {
-    std::vector<std::vector<std::string>> longer;
-    for (const auto& cell : grid)
-      for (const std::string& value : axis.values) {
-        longer.push_back(cell);
-        longer.back().push_back(value);
-      }
-    grid = longer;
-  }
-  return grid;
-}
-
 double processor_seconds() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -82,21 +34,17 @@ double processor_seconds() {
          1e-6 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
 }
 
-std::string quoted(std::string text) {
-  std::replace(text.begin(), text.end(), '"', '\'');
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  return '"' + text + '"';
-}
-
 /// The values of a cell as they stand in the table: in quotes where they hold commas.
 std::string row_of(const std::vector<std::string>& cell) {
   std::vector<std::string> values;
   for (const std::string& value : cell)
-    values.push_back(value.find(',') == std::string::npos ? value : quoted(value));
+    values.push_back(value.find(',') == std::string::npos ? value : quoted_cell(value));
   return fmt::format("{}", fmt::join(values, ","));
 }
 
-std::string refusal(const std::string& reason) { return "refused,0,0,0,0,0,0,0,0,0,0,0,0," + quoted(reason); }
+std::string refusal(const std::string& reason) {
+  return "refused,0,0,0,0,0,0,0,0,0,0,0,0," + quoted_cell(reason);
+}
 
 /// Whether a cell was computed to some end: neither refused nor blown up.
 bool has_run(const std::string& row) { return !row.starts_with("refused") && !row.starts_with("blown_up"); }
@@ -124,7 +72,7 @@ std::string run_cell(const v1::Case& the_case) {
                      state, swing.end(), swing.windows(), swing.iterations(),
                      simulation.coupler().unconverged(), swing.largest_ratio(), swing.alternation(),
                      swing.created(), swing.frequency(), swing.amplitude(), swing.peak(), swing.peak_time(),
-                     processor_seconds(), quoted(reason));
+                     processor_seconds(), quoted_cell(reason));
 }
 
 /// Runs a cell, unless the map has its row already.
@@ -141,16 +89,6 @@ void fill_cell(const MapOptions& options, const std::vector<std::string>& settin
   if (!cell.has(identity)) cell.write(identity, run_cell(the_case));
 }
 
-/// Values of keys for one cell.
-std::vector<std::string> settings_of(const std::vector<Axis>& axes, const std::vector<std::string>& values) {
-  std::vector<std::string> settings;
-  for (std::size_t a = 0; a < axes.size(); ++a) {
-    const std::vector<std::string> keys = split(axes[a].key, '/'), parts = split(values[a], '/');
-    for (std::size_t n = 0; n < keys.size(); ++n) settings.push_back(keys[n] + "=" + parts.at(n));
-  }
-  return settings;
-}
-
 }  // namespace
 
 int map_command(const MapOptions& options) {
@@ -159,7 +97,7 @@ int map_command(const MapOptions& options) {
   std::vector<std::string> keys;
   for (const Axis& axis : axes) keys.push_back(axis.key);
   const std::string head = fmt::format("{},{}", fmt::join(keys, ","), columns);
-  const auto grid = cells(axes);
+  const auto grid = combinations(axes);
   const fs::path parts = options.out + ".cells";  // a file each, so that an interrupted map goes on
   fs::create_directories(parts);
   std::vector<MapCell> files;
@@ -170,7 +108,7 @@ int map_command(const MapOptions& options) {
   };
   const auto fill = [&](std::size_t k) { fill_cell(options, settings_of(axes, grid[k]), files[k]); };
   const auto ended = [&](std::size_t k, const std::string& fault) {
-    if (!fault.empty()) files[k].write("", "blown_up,0,0,0,0,0,0,0,0,0,0,0,0," + quoted(fault));
+    if (!fault.empty()) files[k].write("", "blown_up,0,0,0,0,0,0,0,0,0,0,0,0," + quoted_cell(fault));
     say_row(k);
   };
   const int cores = options.cores > 0 ? options.cores : static_cast<int>(std::thread::hardware_concurrency());

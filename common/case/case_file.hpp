@@ -11,7 +11,7 @@ namespace cosurge {
 
 /// Reads a case: `path` is a folder with a case.toml, or the file. `overrides` are "key.path=value" with a
 /// TOML value (a bare word is a string), applied before the checks; list entries are addressed by number
-/// ("output.probe.0.name").
+/// ("output.probe.0.name"). The word none removes a key ("time.window=none"), so that its default holds.
 /// @throws Error with all errors at once, one line each: "file:line: key: error, allowed values".
 v1::Case load_case(const std::string& path, const std::vector<std::string>& overrides = {});
 

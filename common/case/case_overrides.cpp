@@ -52,6 +52,7 @@ void apply_override(toml::table& root, const std::string& text) {
   require(equals != std::string::npos && equals > 0, "--set {}: must be key.path=value", text);
   const std::string key = text.substr(0, equals);
   const std::string source = "--set " + text;
+  const bool removed = text.substr(equals + 1) == "none";
   require_short_keys(text, fmt::format("--set {:.60}", text));
   toml::table parsed = parse_value(source, text.substr(equals + 1));
   toml::node* node = &root;
@@ -63,12 +64,16 @@ void apply_override(toml::table& root, const std::string& text) {
   const std::string last = key.substr(start);
   toml::node& value = *parsed.get("value");
   if (toml::table* inner = node ? node->as_table() : nullptr) {
-    inner->insert_or_assign(last, std::move(value));
+    if (removed)
+      inner->erase(last);
+    else
+      inner->insert_or_assign(last, std::move(value));
     return;
   }
   toml::array* items = node ? node->as_array() : nullptr;
   const auto entry = items ? entry_of(*items, last) : std::nullopt;
   require(entry.has_value(), "{}: the case has no such key", source);
+  require(!removed, "{}: none removes a key, not an entry of a list", source);
   items->replace(items->begin() + static_cast<std::ptrdiff_t>(*entry), std::move(value));
 }
 

@@ -87,6 +87,16 @@ TEST(CaseFile, OverridesAreAppliedBeforeTheChecks) {
   EXPECT_EQ(c.title(), "on the moon");
 }
 
+TEST(CaseFile, TheWordNoneRemovesAKeySoThatItsDefaultHolds) {
+  const CaseText text;
+  EXPECT_TRUE(load_case(text.file()).time().has_window());
+  EXPECT_FALSE(load_case(text.file(), {"time.window=none"}).time().has_window());
+  EXPECT_EQ(load_case(text.file(), {"fluid.source=none"}).fluid().source(), v1::Fluid::time_scale);
+  EXPECT_EQ(load_case(text.file(), {"title=\"none\""}).title(), "none");
+  EXPECT_THAT(errors_of(text.file(), {"time.end=none"}), HasSubstr("time.end: missing"));
+  EXPECT_THAT(errors_of(text.file(), {"output.probe.0=none"}), HasSubstr("none removes a key, not an entry"));
+}
+
 struct BadOverride {
   std::string text;
   std::string what;

@@ -1,0 +1,40 @@
+// Runs the plan of a chart and measures what each run costs; an interrupted chart goes on.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "coupler/chart/chart_plan.hpp"
+
+namespace cosurge {
+
+/// How one run of a plan went.
+struct FinishedRun {
+  bool finished = false;         ///< it reached the end of its case
+  double core_seconds = 0;       ///< user time of its processes: coupler and solvers
+  std::string reason;            ///< why it did not finish
+  std::filesystem::path folder;  ///< of its results
+};
+
+/// The runs of a chart in its folder: runs/NAME are the results of one, runs/NAME.row its cost, runs/NAME.log
+/// what it printed. NAME is made from the settings.
+class ChartRuns {
+ public:
+  /// Takes the folder, which is made where it is not there.
+  /// @throws Error where it is in use, or is not empty and holds no chart.
+  explicit ChartRuns(const std::filesystem::path& folder);
+  ~ChartRuns();
+  ChartRuns(const ChartRuns&) = delete;
+  ChartRuns& operator=(const ChartRuns&) = delete;
+
+  /// Runs what has not finished yet, `cores` runs at a time with one thread for each solver. Runs of the same
+  /// case by the same build are taken over; a run that failed or was cut off starts again.
+  std::vector<FinishedRun> run(const ChartPlan& plan, const std::string& case_path, int cores) const;
+
+ private:
+  std::filesystem::path folder_;
+  int locked_ = -1;  // descriptor of the folder
+};
+
+}  // namespace cosurge
