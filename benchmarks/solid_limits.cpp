@@ -11,6 +11,7 @@
 #include "solid_solver/models/hamiltonian/hamiltonian_body.hpp"
 #include "solid_solver/models/mps/mps_body.hpp"
 #include "tests/support/solid_cases.hpp"
+#include "tests/support/structures.hpp"
 #include "tests/support/timoshenko.hpp"
 
 namespace cosurge {
@@ -32,7 +33,7 @@ Body make(const Block& block, const Choice&... choice) {
   const v1::Case c = test::plate({.columns = block.columns, .rows = block.rows, .clamped = block.clamped});
   const Elasticity material{
       .density = density, .young_modulus = young_modulus, .poisson_ratio = block.poisson_ratio};
-  return Body(c.solid().body(0), 0, particles::full_stencil<2>(l0, re),
+  return Body(test::body_of<2>(c.solid().body(0)), 0, particles::full_stencil<2>(l0, re),
               {.material = material, .gravity = Vec<2>::Zero()}, choice...);
 }
 
@@ -82,8 +83,8 @@ void steps_of(const std::string& model, const Choice&... choice) {
 
 void steps() {
   fmt::print("model,poisson_ratio,stated_c_p_over_l0,speed_over_c_p,share,state,kinetic_energy\n");
-  steps_of<mps::MpsBody<2>>("mps corrected", v1::SolidMps::corrected);
-  steps_of<mps::MpsBody<2>>("mps paper", v1::SolidMps::paper);
+  steps_of<mps::MpsBody<2>>("mps corrected", MpsParameters::Pairs::corrected);
+  steps_of<mps::MpsBody<2>>("mps paper", MpsParameters::Pairs::paper);
   steps_of<hamiltonian::HamiltonianBody<2>>("hamiltonian", 1.0);
 }
 

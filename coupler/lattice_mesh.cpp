@@ -5,6 +5,8 @@
 #include <map>
 #include <numeric>
 
+#include "common/case/bodies.hpp"
+#include "common/case/from_case.hpp"
 #include "common/geometry/body_sites.hpp"
 
 namespace cosurge {
@@ -26,7 +28,8 @@ template <int dim>
 class LatticeMesh {
  public:
   LatticeMesh(const v1::Case& the_case, const Array& position) : spacing_(solid_spacing(the_case)) {
-    for (const v1::Body& body : the_case.solid().body()) bodies_.emplace_back(body, spacing_);
+    for (const v1::Body& body : the_case.solid().body())
+      bodies_.emplace_back(from_case<dim>(shape_of(body)), spacing_);
     for (std::size_t p = 0; p < position.values.size() / dim; ++p) add(position.values.data() + dim * p, p);
   }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "common/case/bodies.hpp"
+#include "common/case/from_case.hpp"
 #include "fluid_solver/weight.hpp"
 
 namespace cosurge::fluid {
@@ -34,8 +36,9 @@ template <int dim>
 Bodies<dim>::Bodies(const v1::Solid& solid, const Box<dim>& tank, double spacing) {
   for (int b = 0; b < solid.body_size(); ++b) {
     const v1::Body& body = solid.body(b);
-    const BodySites<dim> sites(body, spacing);
-    const std::vector<Shape<dim>> clamps(body.clamp().begin(), body.clamp().end());
+    const BodySites<dim> sites(from_case<dim>(shape_of(body)), spacing);
+    std::vector<Shape<dim>> clamps;
+    for (const v1::Shape& clamp : body.clamp()) clamps.push_back(from_case<dim>(clamp));
     for (const Vec<dim>& x : sites.all()) {
       position_.push_back(x);
       const LatticeFaces<dim> wet = wet_faces(x, sites, clamps, tank, spacing);

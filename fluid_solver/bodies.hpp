@@ -5,6 +5,7 @@
 
 #include "common/geometry/body_sites.hpp"
 #include "common/participant.hpp"
+#include "proto/case.pb.h"
 
 namespace cosurge::fluid {
 

@@ -9,6 +9,7 @@
 #include "common/participant.hpp"
 #include "common/state_bytes.hpp"
 #include "fluid_solver/particles.hpp"
+#include "proto/case.pb.h"
 
 namespace cosurge::fluid {
 

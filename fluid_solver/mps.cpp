@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "common/case/bodies.hpp"
+#include "common/case/from_case.hpp"
 #include "common/error.hpp"
 #include "common/ordered_sum.hpp"
 #include "fluid_solver/covered_walls.hpp"
@@ -58,13 +60,13 @@ Mps<dim>::Mps(const v1::Fluid& fluid, const v1::Solid* solid, const Vec<dim>& gr
       preconditioner_(make_preconditioner(fluid.pressure())) {
   std::vector<BodySites<dim>> sites;
   for (int b = 0; solid != nullptr && b < solid->body_size(); ++b)
-    sites.emplace_back(solid->body(b), fluid.spacing());
+    sites.emplace_back(from_case<dim>(shape_of(solid->body(b))), fluid.spacing());
   add_water(sites);
   propagation_speed_ = fluid.has_propagation_speed() ? fluid.propagation_speed()
                                                      : shallow_speed(particles_.x, gravity, fluid.spacing());
   walls_.add_to(particles_);
   first_body_id_ = particles_.size();
-  const Box<dim> tank(fluid.tank());
+  const auto tank = from_case<dim>(fluid.tank());
   if (solid != nullptr) bodies_ = Bodies<dim>(*solid, tank, fluid.spacing());
   for (int k = 0; k < bodies_.points(); ++k) seen_.push_back(open_surface() ? bodies_.face_point(k) : k);
   for (int k = 0; k < bodies_.points(); ++k)
@@ -86,14 +88,14 @@ Mps<dim>::Mps(const v1::Fluid& fluid, const v1::Solid* solid, const Vec<dim>& gr
 template <int dim>
 void Mps<dim>::add_water(const std::vector<BodySites<dim>>& bodies) {
   std::vector<Shape<dim>> filled;
-  const Box<dim> tank(parameters_.tank());
+  const auto tank = from_case<dim>(parameters_.tank());
   const auto taken = [&](const Vec<dim>& x, const Shape<dim>& by) {
     const auto holds = [&](const auto& region) { return region.contains(x); };
     if (walls_.covers(x) || std::any_of(bodies.begin(), bodies.end(), holds)) return true;
     return !by.is_box() && (!tank.contains(x) || std::any_of(filled.begin(), filled.end(), holds));
   };
   for (const v1::Shape& water : parameters_.water()) {
-    const Shape<dim> shape(water);
+    const auto shape = from_case<dim>(water);
     for (const Vec<dim>& x : shape.fill(parameters_.spacing()))
       if (!taken(x, shape)) particles_.add(Kind::fluid, x);
     filled.push_back(shape);

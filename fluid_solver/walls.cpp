@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "common/case/carriers.hpp"
+#include "common/case/from_case.hpp"
 #include "common/error.hpp"
 #include "fluid_solver/fitted_layout.hpp"
 
@@ -30,14 +31,14 @@ Vec<dim> normal_at(const Shape<dim>& shape, const Vec<dim>& x, double spacing) {
 
 template <int dim>
 Walls<dim>::Walls(const v1::Fluid& fluid, int dummy_layers, bool slip)
-    : tank_(fluid.tank()),
+    : tank_(from_case<dim>(fluid.tank())),
       spacing_(fluid.spacing()),
       dummy_layers_(dummy_layers),
       thickness_((1 + dummy_layers) * fluid.spacing()),
-      tank_motion_(fluid.tank_motion()) {
+      tank_motion_(from_case<dim>(fluid.tank_motion())) {
   parts_.push_back(tank_part());
   for (const v1::Obstacle& obstacle : fluid.obstacle()) {
-    const Shape<dim> shape(obstacle.shape());
+    const auto shape = from_case<dim>(obstacle.shape());
     parts_.push_back(obstacle_part(fluid, obstacle, shape));
     obstacles_.push_back(shape);
   }
@@ -87,7 +88,7 @@ auto Walls<dim>::obstacle_part(const v1::Fluid& fluid, const v1::Obstacle& obsta
   Part part{.place = {},
             .normal = {},
             .kind = {},
-            .motion = Motion<dim>(motion_of(fluid, obstacle)),
+            .motion = from_case<dim>(motion_of(fluid, obstacle)),
             .with_tank = !obstacle.has_motion()};
   if (!part.motion.moves() && !tank_motion_.moves()) part.with_tank = true;
   const bool moves = !part.with_tank;

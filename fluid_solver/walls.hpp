@@ -5,6 +5,7 @@
 #include "common/geometry/shape.hpp"
 #include "fluid_solver/particles.hpp"
 #include "fluid_solver/point_hash.hpp"
+#include "proto/case.pb.h"
 
 namespace cosurge::fluid {
 

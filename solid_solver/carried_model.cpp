@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "common/case/carriers.hpp"
 #include "common/state_bytes.hpp"
 
 namespace cosurge {
@@ -24,10 +23,9 @@ Vec<dim> column(const Field& all, Eigen::Index n) {
 }  // namespace
 
 template <int dim>
-CarriedModel<dim>::CarriedModel(std::unique_ptr<SolidModel> model, const v1::Case& the_case)
-    : WrappedModel(std::move(model)), layout_(model_->layout()) {
-  for (const v1::Body& body : the_case.solid().body()) motion_.emplace_back(motion_of(the_case, body));
-  if (the_case.gravity_size() > 0) gravity_ = Eigen::Map<const Vec<dim>>(the_case.gravity().data());
+CarriedModel<dim>::CarriedModel(std::unique_ptr<SolidModel> model, const Structure<dim>& structure)
+    : WrappedModel(std::move(model)), layout_(model_->layout()), gravity_(structure.gravity) {
+  for (const Body<dim>& body : structure.bodies) motion_.push_back(body.carrier);
   ramp_increment_ = Field::Zero(dim, model_->nodes());
 }
 
@@ -185,25 +183,17 @@ Snapshot CarriedModel<dim>::frame() const {
   return arrays;
 }
 
-namespace {
-
 template <int dim>
-std::unique_ptr<SolidModel> carried(std::unique_ptr<SolidModel> model, const v1::Case& the_case) {
-  const auto& bodies = the_case.solid().body();
-  const bool moves = std::any_of(bodies.begin(), bodies.end(), [&](const v1::Body& body) {
-    return Motion<dim>(motion_of(the_case, body)).moves();
-  });
-  return moves ? std::make_unique<CarriedModel<dim>>(std::move(model), the_case) : std::move(model);
-}
-
-}  // namespace
-
-std::unique_ptr<SolidModel> with_carriers(std::unique_ptr<SolidModel> model, const v1::Case& the_case) {
-  return the_case.dimension() == 2 ? carried<2>(std::move(model), the_case)
-                                   : carried<3>(std::move(model), the_case);
+std::unique_ptr<SolidModel> with_carriers(std::unique_ptr<SolidModel> model,
+                                          const Structure<dim>& structure) {
+  const bool moves = std::any_of(structure.bodies.begin(), structure.bodies.end(),
+                                 [](const Body<dim>& body) { return body.carrier.moves(); });
+  return moves ? std::make_unique<CarriedModel<dim>>(std::move(model), structure) : std::move(model);
 }
 
 template class CarriedModel<2>;
 template class CarriedModel<3>;
+template std::unique_ptr<SolidModel> with_carriers<2>(std::unique_ptr<SolidModel>, const Structure<2>&);
+template std::unique_ptr<SolidModel> with_carriers<3>(std::unique_ptr<SolidModel>, const Structure<3>&);
 
 }  // namespace cosurge

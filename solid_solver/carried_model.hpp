@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "common/geometry/motion.hpp"
+#include "solid_solver/structure.hpp"
 #include "solid_solver/wrapped_model.hpp"
 
 namespace cosurge {
@@ -15,7 +15,7 @@ namespace cosurge {
 template <int dim>
 class CarriedModel : public WrappedModel {
  public:
-  CarriedModel(std::unique_ptr<SolidModel> model, const v1::Case& the_case);
+  CarriedModel(std::unique_ptr<SolidModel> model, const Structure<dim>& structure);
 
   int advance(const Window& window, const NodalLoad& load) override;
   Field displacement() const override;
@@ -49,6 +49,7 @@ class CarriedModel : public WrappedModel {
 };
 
 /// The model, wrapped if a holder of one of its bodies moves.
-std::unique_ptr<SolidModel> with_carriers(std::unique_ptr<SolidModel> model, const v1::Case& the_case);
+template <int dim>
+std::unique_ptr<SolidModel> with_carriers(std::unique_ptr<SolidModel> model, const Structure<dim>& structure);
 
 }  // namespace cosurge

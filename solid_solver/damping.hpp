@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "proto/case.pb.h"
+#include "solid_solver/structure.hpp"
 
 namespace cosurge {
 
@@ -12,6 +12,6 @@ namespace cosurge {
 /// Zeros without damping.
 /// @throws Error for a body that is free to move as a whole: it has no first mode.
 template <int dim>
-std::vector<double> damping_rates(const v1::Solid& solid);
+std::vector<double> damping_rates(const Structure<dim>& structure);
 
 }  // namespace cosurge

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "common/vec.hpp"
-#include "proto/case.pb.h"
 
 namespace cosurge {
 
@@ -35,14 +34,5 @@ struct Elasticity {
   double shear_speed() const { return std::sqrt(mu() / density); }                      ///< c_s [m/s]
   double pressure_speed() const { return std::sqrt((lambda() + 2 * mu()) / density); }  ///< c_p [m/s]
 };
-
-template <int dim>
-Elasticity elasticity_of(const v1::Solid& solid) {
-  return {.density = solid.density(),
-          .young_modulus = solid.young_modulus(),
-          .poisson_ratio = solid.poisson_ratio(),
-          .plane_stress = dim == 2 && solid.plane() == v1::Solid::plane_stress,
-          .neo_hookean = solid.material() == v1::Solid::neo_hookean};
-}
 
 }  // namespace cosurge

@@ -2,23 +2,32 @@
 
 #include <Eigen/SVD>
 
-#include "common/case/carriers.hpp"
-#include "common/geometry/motion.hpp"
 #include "solid_solver/models/make_model.hpp"
 #include "solid_solver/oscillator.hpp"
 
 namespace cosurge {
 
-PointModes::PointModes(const v1::Case& the_case, const Interface& interface, const SolidModel& model,
+template <int dim>
+PointModes::PointModes(const Structure<dim>& structure, const Interface& interface, const SolidModel& model,
                        int count)
-    : case_(the_case), interface_(interface), count_(count), of_model_(!model.modes(count).empty()) {
-  if (of_model_ || the_case.solid().model() == v1::SolidModel::rigid) return;
-  v1::Case elements = the_case;
-  elements.mutable_solid()->set_model(v1::SolidModel::modal);
-  elements.mutable_solid()->mutable_modal()->set_modes(count);
+    : interface_(interface), count_(count), of_model_(!model.modes(count).empty()) {
+  for (const Body<dim>& body : structure.bodies) {
+    Turning& turning =
+        turnings_.emplace_back(Turning{.with_carrier = {}, .with_points = !of_model_ && !body.held});
+    if (body.carrier.moves())
+      turning.with_carrier = [carrier = body.carrier](double t) -> Eigen::MatrixXd {
+        return carrier.turned(t);
+      };
+  }
+  if (of_model_ || structure.template is<RigidParameters>()) return;
+  Structure<dim> elements = structure;
+  elements.model = ModalParameters{.modes = count};
   const auto made = make_model(elements);
   elements_ = modes_of(*made, made->interpolation(interface.position, interface.body));
 }
+
+template PointModes::PointModes(const Structure<2>&, const Interface&, const SolidModel&, int);
+template PointModes::PointModes(const Structure<3>&, const Interface&, const SolidModel&, int);
 
 std::vector<PointModes::PointMode> PointModes::modes_of(const SolidModel& model,
                                                         const Interpolation& H) const {
@@ -29,15 +38,13 @@ std::vector<PointModes::PointMode> PointModes::modes_of(const SolidModel& model,
 }
 
 /// Rotation of a body at time t since its modes were found; empty if the modes do not rotate.
-Eigen::MatrixXd PointModes::rotation(int body, double t, const Field& displacement) const {
-  const v1::Body& its = case_.solid().body(body);
-  const v1::WallMotion carrier = motion_of(case_, its);
-  if (case_.dimension() == 2 && Motion<2>(carrier).moves()) return Motion<2>(carrier).turned(t);
-  if (case_.dimension() == 3 && Motion<3>(carrier).moves()) return Motion<3>(carrier).turned(t);
-  if (of_model_ || is_held(case_.solid(), its)) return {};
+Eigen::MatrixXd PointModes::rotation(std::size_t body, double t, const Field& displacement) const {
+  const Turning& turning = turnings_[body];
+  if (turning.with_carrier) return turning.with_carrier(t);
+  if (!turning.with_points) return {};
   std::vector<Eigen::Index> own;
   for (Eigen::Index p = 0; p < interface_.points(); ++p)
-    if (interface_.body[static_cast<std::size_t>(p)] == body) own.push_back(p);
+    if (interface_.body[static_cast<std::size_t>(p)] == static_cast<int>(body)) own.push_back(p);
   if (own.empty()) return {};
   Field X = interface_.position(Eigen::all, own);
   Field x = X + displacement(Eigen::all, own);
@@ -61,7 +68,7 @@ std::vector<Mode> PointModes::answers(const SolidModel& model, const Window& win
                                       const Field& displacement, const Field& force,
                                       std::size_t order) const {
   std::vector<Eigen::MatrixXd> rotations;
-  for (int b = 0; b < case_.solid().body_size(); ++b)
+  for (std::size_t b = 0; b < turnings_.size(); ++b)
     rotations.push_back(rotation(b, window.start + 0.5 * window.size, displacement));
   std::vector<Mode> answers;
   for (const PointMode& mode : of_model_ ? modes_of(model, H) : elements_) {

@@ -1,11 +1,12 @@
 // The structure's lowest modes at the points of the interface.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "common/participant.hpp"
-#include "proto/case.pb.h"
 #include "solid_solver/solid_model.hpp"
+#include "solid_solver/structure.hpp"
 
 namespace cosurge {
 
@@ -15,7 +16,8 @@ namespace cosurge {
 class PointModes {
  public:
   /// @param interface the points; `count` the largest number of modes of each body
-  PointModes(const v1::Case& the_case, const Interface& interface, const SolidModel& model, int count);
+  template <int dim>
+  PointModes(const Structure<dim>& structure, const Interface& interface, const SolidModel& model, int count);
 
   /// How each mode answers another load over the window (docs/method.md, eq. 20).
   /// @param window that the model has just gone through
@@ -33,14 +35,21 @@ class PointModes {
     double omega_squared;
   };
 
+  /// How the modes of a body turn.
+  struct Turning {
+    std::function<Eigen::MatrixXd(double t)>
+        with_carrier;  // rotation of the carrier; empty: it does not move
+    bool with_points;  // otherwise: as the points of the body
+  };
+
   std::vector<PointMode> modes_of(const SolidModel& model, const Interpolation& H) const;
-  Eigen::MatrixXd rotation(int body, double t, const Field& displacement) const;
+  Eigen::MatrixXd rotation(std::size_t body, double t, const Field& displacement) const;
   Field turned(const Field& shape, const std::vector<Eigen::MatrixXd>& rotations) const;
 
-  v1::Case case_;
   Interface interface_;
   int count_;
   bool of_model_;                    // the model knows its modes
+  std::vector<Turning> turnings_;    // of each body
   std::vector<PointMode> elements_;  // otherwise: those of finite elements
 };
 

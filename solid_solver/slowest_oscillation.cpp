@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/geometry/body_sites.hpp"
-#include "common/vec.hpp"
 #include "solid_solver/models/modal/modes.hpp"
 #include "solid_solver/models/relocated_model.hpp"
 
@@ -13,34 +11,37 @@ namespace {
 
 /// omega^2 of the first mode that is no rigid motion [1/s2]; 0 where there is none.
 template <int dim>
-double first_elastic(const v1::Solid& solid, int b) {
+double first_elastic(const Structure<dim>& structure, std::size_t b) {
   constexpr int rigid_motions = dim == 2 ? 3 : 6;
-  for (const double omega_squared : modal::lowest_of_body<dim>(solid, b, rigid_motions + 1).omega_squared)
+  for (const double omega_squared : modal::lowest_of_body(structure, b, rigid_motions + 1).omega_squared)
     if (omega_squared > 0) return omega_squared;
   return 0;
 }
 
 template <int dim>
-double of_elements(const v1::Solid& solid) {
+double of_elements(const Structure<dim>& structure) {
   double highest = 0;
-  for (int b = 0; b < solid.body_size(); ++b) highest = std::max(highest, first_elastic<dim>(solid, b));
+  for (std::size_t b = 0; b < structure.bodies.size(); ++b)
+    highest = std::max(highest, first_elastic(structure, b));
   return std::sqrt(highest);
 }
 
 }  // namespace
 
-double slowest_oscillation(const v1::Case& the_case, const SolidModel& model) {
-  const auto word = the_case.solid().model();
-  if (word == v1::SolidModel::rigid) return 0;
-  if (word == v1::SolidModel::sprung) {
+template <int dim>
+double slowest_oscillation(const Structure<dim>& structure, const SolidModel& model) {
+  if (structure.template is<RigidParameters>()) return 0;
+  if (structure.template is<SprungParameters<dim>>()) {
     double highest = 0;
     constexpr int all = 6;
     for (const NodalMode& mode : model.modes(all)) highest = std::max(highest, mode.omega_squared);
     return std::sqrt(highest);
   }
-  const std::vector<double> origin = origin_near_bodies(the_case, solid_spacing(the_case));
-  const v1::Case near = origin.empty() ? the_case : relocated(the_case, origin);
-  return the_case.dimension() == 2 ? of_elements<2>(near.solid()) : of_elements<3>(near.solid());
+  const std::optional<Vec<dim>> origin = origin_near_bodies(structure);
+  return of_elements(origin ? relocated(structure, *origin) : structure);
 }
+
+template double slowest_oscillation<2>(const Structure<2>&, const SolidModel&);
+template double slowest_oscillation<3>(const Structure<3>&, const SolidModel&);
 
 }  // namespace cosurge

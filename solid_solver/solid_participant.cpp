@@ -4,15 +4,13 @@
 #include <limits>
 #include <numbers>
 
-#include "common/case/window_sizes.hpp"
 #include "common/error.hpp"
-#include "common/geometry/body_sites.hpp"
-#include "common/geometry/shape.hpp"
 #include "common/solvers.hpp"
 #include "common/state_bytes.hpp"
 #include "common/version.hpp"
 #include "solid_solver/carried_model.hpp"
 #include "solid_solver/contact/contact_model.hpp"
+#include "solid_solver/from_case.hpp"
 #include "solid_solver/models/make_model.hpp"
 #include "solid_solver/slowest_oscillation.hpp"
 
@@ -22,19 +20,13 @@ namespace {
 /// Longest window [s] that resolves an oscillation of `frequency` [rad/s]. Weak coupling loses amplitude in
 /// proportion to the window (docs/stability.md); without water the structure's own integration is the limit.
 /// A structure that needs windows much shorter than the water's follows its load as if it had no inertia.
-double window_of(const v1::Case& the_case, double frequency, bool loaded) {
+template <int dim>
+double window_of(const Surroundings<dim>& surroundings, double frequency, bool loaded) {
   constexpr double shortest = 0.5;  // of the water's window
   if (frequency == 0) return std::numeric_limits<double>::infinity();
   const double windows_per_period = loaded ? 200 : 50;
   const double resolved = 2 * std::numbers::pi / (windows_per_period * frequency);
-  return the_case.has_fluid() ? std::max(resolved, shortest * expected_window(the_case)) : resolved;
-}
-
-int body_of(const v1::Probe& probe, const v1::Solid& solid) {
-  const int body = body_at(solid, probe.position());
-  require(body >= 0, "output.probe \"{}\": position ({}) lies in no body", probe.name(),
-          fmt::join(probe.position(), ", "));
-  return body;
+  return surroundings.tank ? std::max(resolved, shortest * surroundings.window) : resolved;
 }
 
 }  // namespace
@@ -49,21 +41,24 @@ Identity SolidParticipant::identity() const {
 
 Setup SolidParticipant::initialize(const v1::Case& the_case, Interface& interface, Surface& surface) {
   cpu_seconds_at_start_ = cpu_seconds();
-  model_ =
-      contact::with_contact(with_carriers(make_model(the_case), the_case), the_case, solid_spacing(the_case));
   dimension_ = the_case.dimension();
-  ramped_ = the_case.coupling().load() == v1::Coupling::ramped;
-  end_velocity_ = the_case.coupling().velocity() == v1::Coupling::end;
   if (interface.points() == 0) interface.position = Field::Zero(dimension_, 0);
+  return dimension_ == 2 ? start(scene_from_case<2>(the_case), interface, surface)
+                         : start(scene_from_case<3>(the_case), interface, surface);
+}
+
+template <int dim>
+Setup SolidParticipant::start(const Scene<dim>& scene, const Interface& interface, Surface& surface) {
+  const Structure<dim>& structure = scene.structure;
+  model_ =
+      contact::with_contact(with_carriers(make_model(structure), structure), structure, scene.surroundings);
+  exchange_ = scene.exchange;
   H_ = model_->interpolation(interface.position, interface.body);
-  place_probes(the_case);
-  const auto scheme = the_case.coupling().scheme();
-  if (scheme == v1::Coupling::weak_inertial || scheme == v1::Coupling::strong_inertial ||
-      scheme == v1::Coupling::auto_)
-    modes_.emplace(the_case, interface, *model_, the_case.coupling().modes());
+  place_probes(scene.probes);
+  if (exchange_.modes > 0) modes_.emplace(structure, interface, *model_, exchange_.modes);
 
   const Surface loaded = surface;
-  surface = Surface::at_rest(dimension_, interface.points());
+  surface = Surface::at_rest(dim, interface.points());
   if (loaded.force.cols() == interface.points() && interface.points() > 0) {
     surface.force = loaded.force;
     surface.pressure = loaded.pressure;
@@ -71,11 +66,10 @@ Setup SolidParticipant::initialize(const v1::Case& the_case, Interface& interfac
   displacement_ = model_->displacement();
   load_ = surface.force * H_;
   surface.displacement = displacement_ * H_.transpose();
-  if (interface.points() > 0 || !the_case.time().has_window())
-    frequency_ = slowest_oscillation(the_case, *model_);
-  if (!the_case.time().has_window()) {
-    dry_window_ = window_of(the_case, frequency_, false);
-    wet_window_ = window_of(the_case, frequency_, true);
+  if (interface.points() > 0 || scene.limits_windows) frequency_ = slowest_oscillation(structure, *model_);
+  if (scene.limits_windows) {
+    dry_window_ = window_of(scene.surroundings, frequency_, false);
+    wet_window_ = window_of(scene.surroundings, frequency_, true);
   }
   surface.frequency = frequency_;
   return {.columns = columns(),
@@ -84,23 +78,22 @@ Setup SolidParticipant::initialize(const v1::Case& the_case, Interface& interfac
           .substep = model_->substep()};
 }
 
-void SolidParticipant::place_probes(const v1::Case& the_case) {
+template <int dim>
+void SolidParticipant::place_probes(const std::vector<DisplacementProbe<dim>>& probes) {
   std::vector<int> bodies;
-  std::vector<double> positions;
-  for (const v1::Probe& probe : the_case.output().probe()) {
-    if (probe.quantity() != v1::Probe::displacement) continue;
-    probes_.names.push_back(probe.name());
-    bodies.push_back(body_of(probe, the_case.solid()));
-    positions.insert(positions.end(), probe.position().begin(), probe.position().end());
+  Field positions(dim, static_cast<Eigen::Index>(probes.size()));
+  for (const DisplacementProbe<dim>& probe : probes) {
+    positions.col(static_cast<Eigen::Index>(bodies.size())) = probe.position;
+    bodies.push_back(probe.body);
+    probes_.names.push_back(probe.name);
   }
-  const auto count = static_cast<Eigen::Index>(bodies.size());
-  probes_.H = model_->interpolation(Eigen::Map<const Field>(positions.data(), dimension_, count), bodies);
+  probes_.H = model_->interpolation(positions, bodies);
 }
 
 /// What the modes answer to the load of the window that the model has just gone through, motion in `surface`.
 std::vector<Mode> SolidParticipant::modes(const Window& window, const Surface& surface) const {
   if (!modes_ || window.attempt != 1) return {};
-  const std::size_t order = 1 + (end_velocity_ ? 0 : 1) + (ramped_ ? 1 : 0);
+  const std::size_t order = 1 + (exchange_.end_velocity ? 0 : 1) + (exchange_.ramped ? 1 : 0);
   return modes_->answers(*model_, window, H_, surface.displacement, surface.force, order);
 }
 
@@ -110,19 +103,19 @@ Report SolidParticipant::advance(const Window& window, Surface& surface) {
   if (window.attempt > 1) restore(remembered_);
   clock_.enter(mapping);
   const Field new_load = surface.force * H_;
-  const NodalLoad load{.first = ramped_ ? load_ : new_load, .last = new_load};
+  const NodalLoad load{.first = exchange_.ramped ? load_ : new_load, .last = new_load};
   clock_.enter(substeps);
   const int taken = model_->advance(window, load);
   clock_.enter(mapping);
   const Field moved = model_->displacement();
   const Field increment = moved - displacement_;
   // With s the ramp of S15, sum (first + s (last - first)) . dq.
-  const Field late = ramped_ ? model_->ramp_increment() : Field::Zero(dimension_, model_->nodes());
+  const Field late = exchange_.ramped ? model_->ramp_increment() : Field::Zero(dimension_, model_->nodes());
   interface_work_ +=
       load.first.cwiseProduct(increment).sum() + (load.last - load.first).cwiseProduct(late).sum();
   surface.displacement = moved * H_.transpose();
-  surface.velocity =
-      end_velocity_ ? model_->velocity() * H_.transpose() : Field(increment * H_.transpose() / window.size);
+  surface.velocity = exchange_.end_velocity ? model_->velocity() * H_.transpose()
+                                            : Field(increment * H_.transpose() / window.size);
   surface.ramp_increment = late * H_.transpose();
   surface.modes = modes(window, surface);
   surface.frequency = frequency_;

@@ -8,6 +8,7 @@
 #include "common/participant.hpp"
 #include "common/phase_clock.hpp"
 #include "solid_solver/point_modes.hpp"
+#include "solid_solver/scene.hpp"
 #include "solid_solver/solid_model.hpp"
 
 namespace cosurge {
@@ -34,7 +35,10 @@ class SolidParticipant : public Participant {
   };
   enum Phase : std::size_t { mapping, substeps, phases };
 
-  void place_probes(const v1::Case& the_case);
+  template <int dim>
+  Setup start(const Scene<dim>& scene, const Interface& interface, Surface& surface);
+  template <int dim>
+  void place_probes(const std::vector<DisplacementProbe<dim>>& probes);
   std::vector<Mode> modes(const Window& window, const Surface& surface) const;
   std::vector<Column> columns() const;
   std::vector<double> values(int substeps_taken) const;
@@ -44,8 +48,7 @@ class SolidParticipant : public Participant {
   double dry_window_ = std::numeric_limits<double>::infinity();  // longest window without load [s]
   double wet_window_ = std::numeric_limits<double>::infinity();  // longest window under load [s]
   double frequency_ = 0;                                         // of the slowest oscillation [rad/s]
-  bool ramped_ = false;
-  bool end_velocity_ = false;
+  Exchange exchange_ = {.ramped = false, .end_velocity = false, .modes = 0};
   Interpolation H_;
   Probes probes_;
 

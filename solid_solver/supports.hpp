@@ -12,19 +12,22 @@ namespace cosurge {
 template <int dim>
 using Axes = std::array<bool, dim>;
 
-/// Boxes in which the points of a body's discretisation are held along some axes (Body.support of the case).
+/// A box in which the points of a body's discretisation are held along some axes.
+template <int dim>
+struct Support {
+  Box<dim> box;
+  Axes<dim> along;
+};
+
+/// All supports of a body.
 template <int dim>
 class Supports {
  public:
   /// @param margin by which a point may lie outside a box and still be held [m]
-  Supports(const v1::Body& body, double margin) {
-    const Vec<dim> widen = Vec<dim>::Constant(margin);
-    for (const v1::Support& support : body.support()) {
-      const Box<dim> box(support.box());
-      supports_.push_back({.box = Box<dim>(box.min - widen, box.max + widen), .along = {}});
-      Axes<dim>& along = supports_.back().along;
-      along.fill(support.along_size() == 0);
-      for (const int axis : support.along()) along.at(static_cast<std::size_t>(axis)) = true;
+  Supports(const std::vector<Support<dim>>& supports, double margin) : supports_(supports) {
+    for (Support<dim>& support : supports_) {
+      support.box.min.array() -= margin;
+      support.box.max.array() += margin;
     }
   }
 
@@ -38,7 +41,7 @@ class Supports {
 
   /// @throws Error for a support that holds none of the points; `what` they are, for the message.
   template <typename Points>
-  void require_points(const Points& points, int body, const char* what) const {
+  void require_points(const Points& points, std::size_t body, const char* what) const {
     for (std::size_t s = 0; s < supports_.size(); ++s) {
       const auto inside = [&](const Vec<dim>& x) { return supports_[s].box.contains(x); };
       require(std::any_of(points.begin(), points.end(), inside),
@@ -47,11 +50,7 @@ class Supports {
   }
 
  private:
-  struct Support {
-    Box<dim> box;
-    Axes<dim> along;
-  };
-  std::vector<Support> supports_;
+  std::vector<Support<dim>> supports_;
 };
 
 }  // namespace cosurge

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "common/case/from_case.hpp"
 #include "common/error.hpp"
-#include "common/geometry/shape.hpp"
 
 namespace cosurge {
 namespace {
@@ -15,10 +15,10 @@ bool same(const v1::WallMotion& a, const v1::WallMotion& b) {
 /// The number of the obstacle that the middle of a clamp lies in, or -1.
 template <int dim>
 int obstacle_at(const v1::Fluid& fluid, const v1::Shape& clamp) {
-  const Box<dim> bounds = Shape<dim>(clamp).bounds();
+  const Box<dim> bounds = from_case<dim>(clamp).bounds();
   const Vec<dim> middle = 0.5 * (bounds.min + bounds.max);
   for (int o = 0; o < fluid.obstacle_size(); ++o)
-    if (Shape<dim>(fluid.obstacle(o).shape()).contains(middle)) return o;
+    if (from_case<dim>(fluid.obstacle(o).shape()).contains(middle)) return o;
   return -1;
 }
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 
+#include "common/case/bodies.hpp"
 #include "common/case/motion_rules.hpp"
 #include "common/case/outline_rules.hpp"
 #include "common/case/probe_rules.hpp"

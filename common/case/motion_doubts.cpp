@@ -4,10 +4,10 @@
 #include <cmath>
 #include <functional>
 
+#include "common/case/bodies.hpp"
 #include "common/case/carriers.hpp"
+#include "common/case/from_case.hpp"
 #include "common/error.hpp"
-#include "common/geometry/motion.hpp"
-#include "common/geometry/shape.hpp"
 
 namespace cosurge {
 namespace {
@@ -41,18 +41,18 @@ std::vector<Mover<dim>> movers_of(const v1::Case& c) {
   std::vector<Mover<dim>> movers;
   const v1::Fluid& fluid = c.fluid();
   const auto add = [&](const std::string& key, const v1::WallMotion& motion, const Box<dim>& box) {
-    Mover<dim> mover{.key = key, .prescribed = motion, .motion = Motion<dim>(motion), .box = box};
+    Mover<dim> mover{.key = key, .prescribed = motion, .motion = from_case<dim>(motion), .box = box};
     if (mover.motion.moves()) movers.push_back(std::move(mover));
   };
-  if (fluid.has_tank_motion()) add("fluid.tank_motion", fluid.tank_motion(), Box<dim>(fluid.tank()));
+  if (fluid.has_tank_motion()) add("fluid.tank_motion", fluid.tank_motion(), from_case<dim>(fluid.tank()));
   for (int i = 0; i < fluid.obstacle_size(); ++i)
     if (fluid.obstacle(i).has_motion())
       add(fmt::format("fluid.obstacle.{}.motion", i), fluid.obstacle(i).motion(),
-          Shape<dim>(fluid.obstacle(i).shape()).bounds());
+          from_case<dim>(fluid.obstacle(i).shape()).bounds());
   for (int i = 0; i < c.solid().body_size(); ++i)
     if (c.solid().body(i).has_motion())
       add(fmt::format("solid.body.{}.motion", i), c.solid().body(i).motion(),
-          Shape<dim>(shape_of(c.solid().body(i))).bounds());
+          from_case<dim>(shape_of(c.solid().body(i))).bounds());
   return movers;
 }
 
@@ -86,7 +86,7 @@ template <int dim>
 std::string too_fast(const v1::Case& c, const Mover<dim>& mover, const std::vector<double>& times) {
   if (c.gravity_size() == 0) return "";
   const Eigen::Map<const Vec<dim>> gravity(c.gravity().data());
-  const Box<dim> scene = c.has_fluid() ? Box<dim>(c.fluid().tank()) : mover.box;
+  const Box<dim> scene = c.has_fluid() ? from_case<dim>(c.fluid().tank()) : mover.box;
   const double fall = std::sqrt(2 * gravity.norm() * (scene.max - scene.min).maxCoeff());
   double fastest = 0, when = 0;
   for (const double t : times)
@@ -106,8 +106,8 @@ std::string too_fast(const v1::Case& c, const Mover<dim>& mover, const std::vect
 template <int dim>
 std::string into_the_tank(const v1::Case& c, const Mover<dim>& mover, const std::vector<double>& times) {
   if (!mover.key.starts_with("fluid.obstacle")) return "";
-  const Box<dim> tank(c.fluid().tank());
-  const Motion<dim> tank_motion(c.fluid().tank_motion());
+  const auto tank = from_case<dim>(c.fluid().tank());
+  const auto tank_motion = from_case<dim>(c.fluid().tank_motion());
   const auto depth = [&](const Vec<dim>& X, double t, int wall) {
     const Vec<dim> placed = mover.motion.place(X, t);
     const Vec<dim> x = tank_motion.moves() ? tank_motion.origin(placed, t) : placed;

@@ -6,6 +6,8 @@
 #include <optional>
 #include <set>
 
+#include "common/case/bodies.hpp"
+#include "common/case/from_case.hpp"
 #include "common/error.hpp"
 #include "common/geometry/body_sites.hpp"
 #include "common/geometry/crossing_sides.hpp"
@@ -63,7 +65,7 @@ bool has_outline(const v1::Body& body) { return body.shape().vertex_size() > 0; 
 /// A site that more than one part of an outline encloses.
 template <int dim>
 std::optional<Vec<dim>> in_two_parts(const v1::Body& body, const BodySites<dim>& sites) {
-  const Shape<dim> shape(shape_of(body));
+  const auto shape = from_case<dim>(shape_of(body));
   for (const Vec<dim>& x : sites.all())
     if (std::abs(shape.winding(x)) > 1) return x;
   return std::nullopt;
@@ -72,7 +74,7 @@ std::optional<Vec<dim>> in_two_parts(const v1::Body& body, const BodySites<dim>&
 template <int dim>
 void check_sites(const v1::Solid& solid, double spacing, CaseErrors& errors) {
   std::vector<BodySites<dim>> sites;
-  for (const v1::Body& body : solid.body()) sites.emplace_back(body, spacing);
+  for (const v1::Body& body : solid.body()) sites.emplace_back(from_case<dim>(shape_of(body)), spacing);
   for (int i = 0; i < solid.body_size(); ++i) {
     if (!has_outline(solid.body(i))) continue;
     const auto& own = sites[static_cast<std::size_t>(i)];
@@ -96,8 +98,8 @@ void check_sites(const v1::Solid& solid, double spacing, CaseErrors& errors) {
 
 template <int dim>
 bool share_sites(const v1::Body& body, const v1::Shape& obstacle, double spacing) {
-  const Shape<dim> shape(obstacle);
-  const std::vector<Vec<dim>> sites = BodySites<dim>(body, spacing).all();
+  const auto shape = from_case<dim>(obstacle);
+  const std::vector<Vec<dim>> sites = BodySites<dim>(from_case<dim>(shape_of(body)), spacing).all();
   return std::any_of(sites.begin(), sites.end(), [&](const Vec<dim>& x) { return shape.contains(x); });
 }
 
@@ -115,8 +117,8 @@ std::string too_few_corners(const v1::Shape& outline, int dimension) {
 }
 
 std::string not_closed(const v1::Shape& outline, int dimension) {
-  if (dimension == 2) return crossing_sides(Shape<2>(outline).facets());
-  const Shape<3> shape(outline);
+  if (dimension == 2) return crossing_sides(from_case<2>(outline).facets());
+  const auto shape = from_case<3>(outline);
   const std::string doubled = doubled_triangles(shape.facets());
   return doubled.empty() ? open_edge(shape.facets()) : doubled;
 }

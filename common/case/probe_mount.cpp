@@ -2,7 +2,8 @@
 
 #include <cmath>
 
-#include "common/geometry/shape.hpp"
+#include "common/case/bodies.hpp"
+#include "common/case/from_case.hpp"
 
 namespace cosurge {
 namespace {
@@ -12,7 +13,7 @@ constexpr double rounding = 0.01;  // spacings
 template <int dim>
 int obstacle_at(const v1::Fluid& fluid, const Vec<dim>& x) {
   for (int k = 0; k < fluid.obstacle_size(); ++k) {
-    const Shape<dim> shape(fluid.obstacle(k).shape());
+    const auto shape = from_case<dim>(fluid.obstacle(k).shape());
     if (shape.contains(x) || (shape.nearest(x) - x).norm() <= rounding * fluid.spacing()) return k;
   }
   return -1;
@@ -37,9 +38,8 @@ ProbeMount mount_in_fluid(const v1::Fluid& fluid, const Vec<dim>& x) {
 ProbeMount mount_of(const v1::Case& the_case, const v1::Probe& probe) {
   const int body = body_at(the_case.solid(), probe.position());
   if (body >= 0) return {.on = ProbeMount::On::body, .number = body};
-  const double* x = probe.position().data();
-  return the_case.dimension() == 2 ? mount_in_fluid<2>(the_case.fluid(), Eigen::Map<const Vec<2>>(x))
-                                   : mount_in_fluid<3>(the_case.fluid(), Eigen::Map<const Vec<3>>(x));
+  return the_case.dimension() == 2 ? mount_in_fluid<2>(the_case.fluid(), from_case<2>(probe.position()))
+                                   : mount_in_fluid<3>(the_case.fluid(), from_case<3>(probe.position()));
 }
 
 }  // namespace cosurge

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <functional>
 
+#include "common/case/bodies.hpp"
+#include "common/case/from_case.hpp"
 #include "common/case/outline_rules.hpp"
 #include "common/error.hpp"
-#include "common/geometry/body_sites.hpp"
 
 namespace cosurge {
 namespace {
@@ -73,7 +74,7 @@ const char* unit_remedy(const v1::Shape& shape) {
 
 template <int dim>
 bool region_fits(const Region& region, const std::string& spacing_key, double spacing, CaseErrors& errors) {
-  const Box<dim> bounds = Shape<dim>(region.shape).bounds();
+  const Box<dim> bounds = from_case<dim>(region.shape).bounds();
   const double sites = sites_in(bounds, spacing);
   if (sites < most_sites) return true;
   errors.add(region.key,
@@ -87,7 +88,7 @@ bool sizes_fit(const v1::Case& c, CaseErrors& errors) {
   bool fit = true;
   if (c.has_fluid()) {
     const double spacing = c.fluid().spacing();
-    const Box<dim> tank(c.fluid().tank());
+    const auto tank = from_case<dim>(c.fluid().tank());
     const Vec<dim> walls = Vec<dim>::Constant(std::ceil(c.fluid().re_laplacian()) * spacing);
     const double sites = sites_in(Box<dim>(tank.min - walls, tank.max + walls), spacing);
     if (!(sites < most_sites)) {
@@ -139,7 +140,7 @@ bool outside(const Box<dim>& box, const Box<dim>& tank, bool above) {
 
 template <int dim>
 bool in_the_tank(const Region& region, const Box<dim>& tank, CaseErrors& errors) {
-  const Box<dim> bounds = Shape<dim>(region.shape).bounds();
+  const Box<dim> bounds = from_case<dim>(region.shape).bounds();
   const double longest = (tank.max - tank.min).maxCoeff();
   if ((bounds.max - bounds.min).maxCoeff() > most_tanks * longest) {
     errors.add(region.key, fmt::format("is more than {} times as long as fluid.tank: {}{}", most_tanks,
@@ -156,17 +157,17 @@ bool in_the_tank(const Region& region, const Box<dim>& tank, CaseErrors& errors)
 template <int dim>
 void check_water(const v1::Case& c, CaseErrors& errors) {
   const double spacing = c.fluid().spacing();
-  const Box<dim> tank(c.fluid().tank());
+  const auto tank = from_case<dim>(c.fluid().tank());
   std::vector<Shape<dim>> taken;
   for (const auto& regions : {obstacles(c.fluid()), bodies(c.solid())})
-    for (const Region& region : regions) taken.emplace_back(region.shape);
+    for (const Region& region : regions) taken.push_back(from_case<dim>(region.shape));
   for (const Region& region : waters(c.fluid())) {
     if (!in_the_tank(region, tank, errors)) continue;
     const auto free = [&](const Vec<dim>& x) {
       return tank.contains(x) && std::none_of(taken.begin(), taken.end(),
                                               [&](const Shape<dim>& shape) { return shape.contains(x); });
     };
-    if (!has_site<dim>(Shape<dim>(region.shape), spacing, free))
+    if (!has_site<dim>(from_case<dim>(region.shape), spacing, free))
       errors.add(region.key, fmt::format("contains no water particle with a spacing of {} m: it is too thin, "
                                          "or obstacles and bodies fill all of it",
                                          spacing));
@@ -175,13 +176,13 @@ void check_water(const v1::Case& c, CaseErrors& errors) {
 
 template <int dim>
 void check_obstacle_sites(const v1::Fluid& fluid, CaseErrors& errors) {
-  const Box<dim> tank(fluid.tank());
+  const auto tank = from_case<dim>(fluid.tank());
   for (const Region& region : obstacles(fluid)) {
     if (!in_the_tank(region, tank, errors)) continue;
     const auto counts = [&](const Vec<dim>& x) {
       return region.moves || !outside(Box<dim>(x, x), tank, false);
     };
-    if (!has_site<dim>(Shape<dim>(region.shape), fluid.spacing(), counts))
+    if (!has_site<dim>(from_case<dim>(region.shape), fluid.spacing(), counts))
       errors.add(region.key, fmt::format("contains no particle with a spacing of {} m: it is too thin; make "
                                          "it thicker or the spacing smaller",
                                          fluid.spacing()));
@@ -191,10 +192,10 @@ void check_obstacle_sites(const v1::Fluid& fluid, CaseErrors& errors) {
 /// Water must not flow through the region of a clamp.
 template <int dim>
 void check_clamps(const v1::Case& c, CaseErrors& errors) {
-  const Box<dim> tank(c.fluid().tank());
+  const auto tank = from_case<dim>(c.fluid().tank());
   std::vector<Shape<dim>> solid;
   for (const auto& regions : {obstacles(c.fluid()), bodies(c.solid())})
-    for (const Region& region : regions) solid.emplace_back(region.shape);
+    for (const Region& region : regions) solid.push_back(from_case<dim>(region.shape));
   for (int i = 0; i < c.solid().body_size(); ++i) {
     for (int j = 0; j < c.solid().body(i).clamp_size(); ++j) {
       const Region clamp{.key = fmt::format("solid.body.{}.clamp.{}", i, j),
@@ -204,7 +205,7 @@ void check_clamps(const v1::Case& c, CaseErrors& errors) {
         return tank.contains(x) && std::none_of(solid.begin(), solid.end(),
                                                 [&](const Shape<dim>& shape) { return shape.contains(x); });
       };
-      if (has_site<dim>(Shape<dim>(clamp.shape), c.fluid().spacing(), open))
+      if (has_site<dim>(from_case<dim>(clamp.shape), c.fluid().spacing(), open))
         errors.add(clamp.key,
                    "lies in fluid.tank, where water would flow through it: put a fluid.obstacle of the "
                    "same shape there, or move it out of the tank");

@@ -6,8 +6,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "common/case/bodies.hpp"
+#include "common/case/from_case.hpp"
 #include "common/case/probe_mount.hpp"
-#include "common/geometry/shape.hpp"
 
 namespace cosurge {
 namespace {
@@ -21,7 +22,7 @@ struct Nearest {
 
 template <int dim>
 Nearest nearest_of(const v1::Shape& shape, const Vec<dim>& x) {
-  const Vec<dim> on = Shape<dim>(shape).nearest(x);
+  const Vec<dim> on = from_case<dim>(shape).nearest(x);
   return {.distance = (on - x).norm(), .point = {on.begin(), on.end()}};
 }
 
@@ -38,8 +39,8 @@ Nearest nearest_point(const v1::Solid& solid, const Vec<dim>& x) {
 }
 
 Nearest nearest_point(const v1::Case& c, const v1::Probe& probe) {
-  return c.dimension() == 2 ? nearest_point<2>(c.solid(), Eigen::Map<const Vec<2>>(probe.position().data()))
-                            : nearest_point<3>(c.solid(), Eigen::Map<const Vec<3>>(probe.position().data()));
+  return c.dimension() == 2 ? nearest_point<2>(c.solid(), from_case<2>(probe.position()))
+                            : nearest_point<3>(c.solid(), from_case<3>(probe.position()));
 }
 
 std::string text(const std::vector<double>& point) {
@@ -84,9 +85,8 @@ std::string too_deep(const v1::Case& c, const v1::Probe& probe) {
   const bool on_body = mount.on == ProbeMount::On::body;
   const v1::Shape shape =
       on_body ? shape_of(c.solid().body(mount.number)) : c.fluid().obstacle(mount.number).shape();
-  const Nearest nearest = c.dimension() == 2
-                              ? nearest_of<2>(shape, Eigen::Map<const Vec<2>>(probe.position().data()))
-                              : nearest_of<3>(shape, Eigen::Map<const Vec<3>>(probe.position().data()));
+  const Nearest nearest = c.dimension() == 2 ? nearest_of<2>(shape, from_case<2>(probe.position()))
+                                             : nearest_of<3>(shape, from_case<3>(probe.position()));
   constexpr double rounding = 1e-6;
   if (nearest.distance <= (1 + rounding) * c.fluid().spacing()) return "";
   return fmt::format(

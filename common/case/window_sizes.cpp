@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/geometry/shape.hpp"
+#include "common/case/from_case.hpp"
 
 namespace cosurge {
 
@@ -23,7 +23,7 @@ double expected_window(const v1::Case& the_case) {
   double head = 0;
   const int up = the_case.dimension() - 1;
   for (const v1::Shape& water : the_case.fluid().water()) {
-    const double top = up == 1 ? Shape<2>(water).bounds().max[1] : Shape<3>(water).bounds().max[2];
+    const double top = up == 1 ? from_case<2>(water).bounds().max[1] : from_case<3>(water).bounds().max[2];
     head = std::max(head, top - the_case.fluid().tank().min(up));
   }
   const double gravity = std::abs(the_case.gravity(up));

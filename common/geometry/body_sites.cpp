@@ -1,12 +1,9 @@
 #include "common/geometry/body_sites.hpp"
 
-#include "common/error.hpp"
-
 namespace cosurge {
 
 template <int dim>
-BodySites<dim>::BodySites(const v1::Body& body, double spacing) : spacing_(spacing) {
-  const Shape<dim> shape(shape_of(body));
+BodySites<dim>::BodySites(const Shape<dim>& shape, double spacing) : spacing_(spacing) {
   const std::vector<Vec<dim>> inside = shape.fill(spacing);
   const auto whole = [&](const Vec<dim>& x) {
     return Index((x / spacing).array().round().template cast<long>());
@@ -49,12 +46,6 @@ bool BodySites<dim>::contains(const Vec<dim>& x) const {
   const Index k = (x / spacing_).array().floor().template cast<long>();
   const Eigen::Index c = block_.join(k - lower_);
   return c >= 0 && taken_[static_cast<std::size_t>(c)] != 0;
-}
-
-double solid_spacing(const v1::Case& the_case) {
-  if (the_case.solid().has_spacing()) return the_case.solid().spacing();
-  require(the_case.has_fluid(), "solid.spacing: missing, and there is no fluid to take it from");
-  return the_case.fluid().spacing();
 }
 
 template class BodySites<2>;

@@ -12,7 +12,7 @@ namespace cosurge {
 template <int dim>
 class BodySites {
  public:
-  BodySites(const v1::Body& body, double spacing);
+  BodySites(const Shape<dim>& shape, double spacing);
 
   /// The first coordinate fastest.
   const std::vector<Vec<dim>>& all() const { return sites_; }
@@ -34,9 +34,5 @@ class BodySites {
   std::vector<char> taken_;  // whether the body takes each cell of the block
   std::vector<Vec<dim>> sites_;
 };
-
-/// Spacing of the structure's particles, the solid's own or the fluid's [m].
-/// @throws Error where neither has one
-double solid_spacing(const v1::Case& the_case);
 
 }  // namespace cosurge

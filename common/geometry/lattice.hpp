@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "common/vec.hpp"
-#include "proto/case.pb.h"
 
 namespace cosurge {
 
@@ -15,9 +14,6 @@ struct Box {
   Vec<dim> min;
   Vec<dim> max;
 
-  explicit Box(const v1::Box& box)
-      : min(Eigen::Map<const Vec<dim>>(box.min().data())),
-        max(Eigen::Map<const Vec<dim>>(box.max().data())) {}
   Box(const Vec<dim>& lower, const Vec<dim>& upper) : min(lower), max(upper) {}
 
   bool contains(const Vec<dim>& x) const {

@@ -30,49 +30,47 @@ double end_slope(double h, double k, double a, double b) {
 }  // namespace
 
 template <int dim>
-Motion<dim>::Motion(const v1::WallMotion& motion)
-    : frequency_(motion.frequency()), phase_(motion.phase()), ramp_(motion.ramp()) {
-  for (int k = 0; k < motion.amplitude_size(); ++k) amplitude_[k] = motion.amplitude(k);
-  for (int k = 0; k < motion.pivot_size(); ++k) pivot_[k] = motion.pivot(k);
-  amplitude_[dim] = motion.angle();
-  if (amplitude_.isZero()) frequency_ = 0;
-  for (int k = 0; k < motion.row_size(); k += dim + 2) {
-    time_.push_back(motion.row(k));
-    row_.emplace_back(Eigen::Map<const Pose>(motion.row().data() + k + 1));
-  }
-  if (row_.size() > 1) slope_ = slopes();
+Motion<dim>::Motion(const Oscillation<dim>& oscillation, const Vec<dim>& pivot)
+    : pivot_(pivot), formula_(oscillation) {
+  if (formula_.amplitude.isZero()) formula_.frequency = 0;
+}
+
+template <int dim>
+Motion<dim>::Motion(PoseTable<dim> table, const Vec<dim>& pivot) : pivot_(pivot), table_(std::move(table)) {
+  if (table_.row.size() > 1) slope_ = slopes();
 }
 
 template <int dim>
 auto Motion<dim>::pose(double t) const -> Pose {
-  if (!row_.empty()) return from_table(t) - from_table(0);
-  const double grown = t < ramp_ ? 0.5 * (1 - std::cos(pi * t / ramp_)) : 1;
-  const double start = ramp_ > 0 ? 0 : std::sin(phase_);
-  return (grown * std::sin(2 * pi * frequency_ * t + phase_) - start) * amplitude_;
+  if (!table_.row.empty()) return from_table(t) - from_table(0);
+  const double grown = t < formula_.ramp ? 0.5 * (1 - std::cos(pi * t / formula_.ramp)) : 1;
+  const double start = formula_.ramp > 0 ? 0 : std::sin(formula_.phase);
+  return (grown * std::sin(2 * pi * formula_.frequency * t + formula_.phase) - start) * formula_.amplitude;
 }
 
 template <int dim>
 auto Motion<dim>::from_table(double t) const -> Pose {
-  if (t <= time_.front()) return row_.front();
-  if (t >= time_.back()) return row_.back();
-  const auto k =
-      static_cast<std::size_t>(std::upper_bound(time_.begin(), time_.end(), t) - time_.begin()) - 1;
-  const double h = time_[k + 1] - time_[k];
-  const double s = (t - time_[k]) / h;
+  const auto& [time, row] = table_;
+  if (t <= time.front()) return row.front();
+  if (t >= time.back()) return row.back();
+  const auto k = static_cast<std::size_t>(std::upper_bound(time.begin(), time.end(), t) - time.begin()) - 1;
+  const double h = time[k + 1] - time[k];
+  const double s = (t - time[k]) / h;
   const double s2 = s * s;
   const double s3 = s2 * s;
-  return row_[k] + (3 * s2 - 2 * s3) * (row_[k + 1] - row_[k]) + (s3 - 2 * s2 + s) * h * slope_[k] +
+  return row[k] + (3 * s2 - 2 * s3) * (row[k + 1] - row[k]) + (s3 - 2 * s2 + s) * h * slope_[k] +
          (s3 - s2) * h * slope_[k + 1];
 }
 
 template <int dim>
 auto Motion<dim>::slopes() const -> std::vector<Pose> {
-  const std::size_t last = row_.size() - 1;
+  const auto& [time, row] = table_;
+  const std::size_t last = row.size() - 1;
   std::vector<double> h(last);
-  std::vector<Pose> secant(last), slope(row_.size());
+  std::vector<Pose> secant(last), slope(row.size());
   for (std::size_t k = 0; k < last; ++k) {
-    h[k] = time_[k + 1] - time_[k];
-    secant[k] = (row_[k + 1] - row_[k]) / h[k];
+    h[k] = time[k + 1] - time[k];
+    secant[k] = (row[k + 1] - row[k]) / h[k];
   }
   slope.front() = secant.front();
   slope.back() = secant.back();
@@ -116,12 +114,12 @@ Vec<dim> Motion<dim>::velocity(const Vec<dim>& X, double t) const {
 
 template <int dim>
 std::vector<double> Motion<dim>::samples() const {
-  if (!row_.empty()) return time_;
+  if (!table_.row.empty()) return table_.time;
   std::vector<double> times = {0};
   if (!moves()) return times;
   constexpr int a_period = 64;
-  const int count = a_period * static_cast<int>(std::ceil(1 + ramp_ * frequency_));
-  for (int k = 1; k <= count; ++k) times.push_back(k / (a_period * frequency_));
+  const int count = a_period * static_cast<int>(std::ceil(1 + formula_.ramp * formula_.frequency));
+  for (int k = 1; k <= count; ++k) times.push_back(k / (a_period * formula_.frequency));
   return times;
 }
 

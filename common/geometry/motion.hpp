@@ -5,18 +5,43 @@
 
 namespace cosurge {
 
-/// Displacement and rotation as functions of time, both zero at t = 0: by a formula, amplitude x (s(t) -
-/// s(0)) with s = ramp(t) sin(2 pi f t + phase) and a half cosine as the ramp, or by a table. Between its
-/// rows runs a cubic Hermite spline with slopes that are limited so that it is monotone there (Fritsch &
-/// Carlson 1980, SIAM J. Numer. Anal. 17, 238): it never leaves the range of the two rows, and rests where
-/// they are equal. Before the first row and after the last the wall stands still.
+/// A displacement [m] along each axis, and last the angle [rad] of a rotation in the plane of the first and
+/// the last coordinate, from the first to the last.
+template <int dim>
+using Pose = Eigen::Matrix<double, dim + 1, 1>;
+
+/// A motion by a formula: amplitude x (s(t) - s(0)) with s = ramp(t) sin(2 pi f t + phase) and a half cosine
+/// as the ramp.
+template <int dim>
+struct Oscillation {
+  Pose<dim> amplitude;
+  double frequency;  ///< f [Hz]
+  double phase;      ///< [rad]
+  double ramp;       ///< time in which the motion grows from zero [s]
+};
+
+/// A motion by a table of poses.
+template <int dim>
+struct PoseTable {
+  std::vector<double> time;  ///< of each row, ascending [s]
+  std::vector<Pose<dim>> row;
+};
+
+/// Displacement and rotation as functions of time, both zero at t = 0: by a formula, by a table, or none at
+/// all. Between the rows of a table runs a cubic Hermite spline with slopes that are limited so that it is
+/// monotone there (Fritsch & Carlson 1980, SIAM J. Numer. Anal. 17, 238): it never leaves the range of the
+/// two rows, and rests where they are equal. Before the first row and after the last the wall stands still.
 template <int dim>
 class Motion {
  public:
-  explicit Motion(const v1::WallMotion& motion);
+  Motion() = default;  ///< at rest
+
+  /// @param pivot centre of the rotation [m]
+  Motion(const Oscillation<dim>& oscillation, const Vec<dim>& pivot);
+  Motion(PoseTable<dim> table, const Vec<dim>& pivot);
 
   /// Whether the wall moves at all.
-  bool moves() const { return frequency_ > 0 || !row_.empty(); }
+  bool moves() const { return formula_.frequency > 0 || !table_.row.empty(); }
 
   /// Where the wall's point X is at time t [s].
   Vec<dim> place(const Vec<dim>& X, double t) const;
@@ -34,8 +59,7 @@ class Motion {
   Box<dim> sweep(const Box<dim>& box) const;
 
  private:
-  /// Displacement, and the angle last.
-  using Pose = Eigen::Matrix<double, dim + 1, 1>;
+  using Pose = cosurge::Pose<dim>;
 
   Pose pose(double t) const;
   Pose from_table(double t) const;
@@ -43,14 +67,10 @@ class Motion {
   Mat<dim> rotation(double angle) const;
   std::vector<double> samples() const;
 
-  Pose amplitude_ = Pose::Zero();
   Vec<dim> pivot_ = Vec<dim>::Zero();
-  double frequency_;  // [Hz]; 0: a table, or no motion
-  double phase_;
-  double ramp_;               // [s]
-  std::vector<double> time_;  // times of the table's rows
-  std::vector<Pose> row_;
-  std::vector<Pose> slope_;  // at the rows
+  Oscillation<dim> formula_ = {.amplitude = Pose::Zero(), .frequency = 0, .phase = 0, .ramp = 0};
+  PoseTable<dim> table_;
+  std::vector<Pose> slope_;  // at the rows of the table
 };
 
 }  // namespace cosurge

@@ -12,40 +12,36 @@ Vec<2> normal_of(const Shape<2>::Facet& side) { return {side[1][1] - side[0][1],
 Vec<3> normal_of(const Shape<3>::Facet& triangle) {
   return (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
 }
-namespace {
-
-constexpr double on_the_face = 1e-9;  // [m] tolerance: points on a face count as inside
 
 template <int dim>
-Box<dim> bounds_of(const v1::Shape& shape) {
-  if (shape.vertex().empty())
-    return {Eigen::Map<const Vec<dim>>(shape.min().data()), Eigen::Map<const Vec<dim>>(shape.max().data())};
-  const Eigen::Map<const Eigen::Matrix<double, dim, Eigen::Dynamic>> vertices(shape.vertex().data(), dim,
-                                                                              shape.vertex_size() / dim);
-  return {vertices.rowwise().minCoeff(), vertices.rowwise().maxCoeff()};
-}
-
-template <int dim>
-int first_body_at(const v1::Solid& solid, const Vec<dim>& x) {
-  for (int b = 0; b < solid.body_size(); ++b)
-    if (Shape<dim>(shape_of(solid.body(b))).outside(x) <= on_the_face) return b;
-  return -1;
-}
-
-}  // namespace
-
-template <int dim>
-Shape<dim>::Shape(const v1::Shape& shape) : bounds_(bounds_of<dim>(shape)) {
-  const int corners = shape.vertex_size() / dim;
-  const auto corner = [&](int k) {
-    return Vec<dim>(Eigen::Map<const Vec<dim>>(shape.vertex().data() + std::ptrdiff_t{k % corners} * dim));
-  };
+Shape<dim>::Shape(const std::vector<Vec<dim>>& corners) : bounds_(corners.front(), corners.front()) {
+  for (const Vec<dim>& corner : corners) {
+    bounds_.min = bounds_.min.cwiseMin(corner);
+    bounds_.max = bounds_.max.cwiseMax(corner);
+  }
   if constexpr (dim == 2)
-    for (int k = 0; k < corners; ++k) facets_.push_back({corner(k), corner(k + 1)});
+    for (std::size_t k = 0; k < corners.size(); ++k)
+      facets_.push_back({corners[k], corners[(k + 1) % corners.size()]});
   else
-    for (int k = 0; k + 2 < corners; k += 3) facets_.push_back({corner(k), corner(k + 1), corner(k + 2)});
+    for (std::size_t k = 0; k + 2 < corners.size(); k += 3)
+      facets_.push_back({corners[k], corners[k + 1], corners[k + 2]});
+  index_facets();
+}
+
+template <int dim>
+void Shape<dim>::index_facets() {
   if constexpr (dim == 3) oriented_ = is_oriented(facets_);
   tree_ = FacetTree<dim>(facets_);
+}
+
+template <int dim>
+Shape<dim> Shape<dim>::moved(const Vec<dim>& by) const {
+  Shape there = *this;
+  there.bounds_ = {bounds_.min + by, bounds_.max + by};
+  for (Facet& facet : there.facets_)
+    for (Vec<dim>& corner : facet) corner += by;
+  there.index_facets();
+  return there;
 }
 
 template <int dim>
@@ -109,20 +105,6 @@ std::vector<Vec<dim>> Shape<dim>::fill(double spacing) const {
   for (const Vec<dim>& x : cosurge::fill(Box<dim>(bounds_.min - margin, bounds_.max + margin), spacing))
     if (contains(x)) sites.push_back(x);
   return sites;
-}
-
-v1::Shape shape_of(const v1::Box& box) {
-  v1::Shape shape;
-  *shape.mutable_min() = box.min();
-  *shape.mutable_max() = box.max();
-  return shape;
-}
-
-v1::Shape shape_of(const v1::Body& body) { return body.has_shape() ? body.shape() : shape_of(body.box()); }
-
-int body_at(const v1::Solid& solid, const google::protobuf::RepeatedField<double>& position) {
-  return position.size() == 2 ? first_body_at<2>(solid, Eigen::Map<const Vec<2>>(position.data()))
-                              : first_body_at<3>(solid, Eigen::Map<const Vec<3>>(position.data()));
 }
 
 template class Shape<2>;

@@ -13,7 +13,13 @@ class Shape {
   /// A side of a polygon, or a triangle.
   using Facet = cosurge::Facet<dim>;
 
-  explicit Shape(const v1::Shape& shape);
+  explicit Shape(const Box<dim>& box) : bounds_(box) {}
+
+  /// @param corners of a polygon, one after the other, or three of each triangle [m]
+  explicit Shape(const std::vector<Vec<dim>>& corners);
+
+  /// The same shape elsewhere.
+  Shape moved(const Vec<dim>& by) const;
 
   /// Whether x is inside: on a box's boundary is, on an outline's may be. Inside of an outline is where its
   /// winding number is not zero, so that closed parts of one orientation that overlap are one body.
@@ -42,6 +48,8 @@ class Shape {
   std::vector<Vec<dim>> fill(double spacing) const;
 
  private:
+  void index_facets();
+
   Box<dim> bounds_;
   std::vector<Facet> facets_;
   FacetTree<dim> tree_;
@@ -51,13 +59,5 @@ class Shape {
 /// Normal of a facet, as long as it is large (in space: twice its area).
 Vec<2> normal_of(const Shape<2>::Facet& side);
 Vec<3> normal_of(const Shape<3>::Facet& triangle);
-
-v1::Shape shape_of(const v1::Box& box);
-
-/// The shape of a body, which the case gives as a box or as any shape.
-v1::Shape shape_of(const v1::Body& body);
-
-/// The first body that contains a point, to rounding; -1: no body.
-int body_at(const v1::Solid& solid, const google::protobuf::RepeatedField<double>& position);
 
 }  // namespace cosurge

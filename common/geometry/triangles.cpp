@@ -157,11 +157,11 @@ class Surface {
   /// Whether the part's corners, or some of many, all lie in the others.
   bool within_another(const std::vector<std::size_t>& part) const {
     constexpr std::size_t enough = 50;
-    v1::Shape rest;
+    std::vector<Vec<3>> rest;
     for (std::size_t t = 0; t < triangles_.size(); ++t)
-      for (std::size_t c = 0; c < 3 && part_[t] != part_[part.front()]; ++c)
-        for (const double value : triangles_[t][c]) rest.add_vertex(value);
-    if (rest.vertex_size() == 0) return false;
+      if (part_[t] != part_[part.front()])
+        rest.insert(rest.end(), triangles_[t].begin(), triangles_[t].end());
+    if (rest.empty()) return false;
     const Shape<3> others(rest);
     for (std::size_t n = 0; n < part.size(); n += 1 + part.size() / enough)
       for (const Vec<3>& corner : triangles_[part[n]])

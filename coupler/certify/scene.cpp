@@ -3,7 +3,7 @@
 #include <fstream>
 
 #include "common/case/case_file.hpp"
-#include "common/geometry/lattice.hpp"
+#include "common/case/from_case.hpp"
 
 namespace cosurge::certify {
 namespace {
@@ -35,7 +35,7 @@ v1::Case scene_for(const CertifyOptions& options, const std::filesystem::path& f
 }
 
 Interface points_of_plate(const v1::Case& c) {
-  const Box<2> box(c.solid().body(0).box());
+  const auto box = from_case<2>(c.solid().body(0).box());
   const double l0 = c.fluid().spacing();
   const std::vector<Vec<2>> sites = fill(box, l0);
   const auto count = static_cast<Eigen::Index>(sites.size());

@@ -1,7 +1,7 @@
 #include "coupler/report/case_picture.hpp"
 
+#include "common/case/bodies.hpp"
 #include "common/error.hpp"
-#include "common/geometry/body_sites.hpp"
 #include "coupler/replace_file.hpp"
 #include "coupler/report/case_table.hpp"
 #include "coupler/report/outlines.hpp"

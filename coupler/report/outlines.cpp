@@ -4,9 +4,10 @@
 
 #include <set>
 
+#include "common/case/bodies.hpp"
 #include "common/case/carriers.hpp"
+#include "common/case/from_case.hpp"
 #include "common/geometry/body_sites.hpp"
-#include "common/geometry/motion.hpp"
 #include "coupler/report/shape_lines.hpp"
 
 namespace cosurge {
@@ -41,7 +42,7 @@ template <int dim>
 Json moving_part(const std::string& kind, const std::string& label, const std::vector<Polyline<dim>>& lines,
                  const v1::WallMotion& wall_motion, const std::vector<double>& times) {
   Json out = part<dim>(kind, label, lines);
-  const Motion<dim> motion(wall_motion);
+  const auto motion = from_case<dim>(wall_motion);
   if (motion.moves()) out["poses"] = poses(motion, times);
   return out;
 }
@@ -49,13 +50,13 @@ Json moving_part(const std::string& kind, const std::string& label, const std::v
 template <int dim>
 void add_fluid(Json& out, const v1::Fluid& fluid, const std::vector<double>& times) {
   out.push_back(
-      moving_part<dim>("tank", "tank", tank_edges(Box<dim>(fluid.tank())), fluid.tank_motion(), times));
+      moving_part<dim>("tank", "tank", tank_edges(from_case<dim>(fluid.tank())), fluid.tank_motion(), times));
   for (int k = 0; k < fluid.water_size(); ++k)
     out.push_back(part<dim>("water", numbered("water", k, fluid.water_size()) + " at t = 0",
-                            edges_of(Shape<dim>(fluid.water(k)))));
+                            edges_of(from_case<dim>(fluid.water(k)))));
   for (int k = 0; k < fluid.obstacle_size(); ++k)
     out.push_back(moving_part<dim>("obstacle", numbered("obstacle", k, fluid.obstacle_size()),
-                                   edges_of(Shape<dim>(fluid.obstacle(k).shape())),
+                                   edges_of(from_case<dim>(fluid.obstacle(k).shape())),
                                    motion_of(fluid, fluid.obstacle(k)), times));
 }
 
@@ -71,12 +72,12 @@ void add_solid(Json& out, const v1::Solid& solid) {
   for (int b = 0; b < solid.body_size(); ++b) {
     const v1::Body& body = solid.body(b);
     const std::string name = numbered("body", b, solid.body_size());
-    out.push_back(part<dim>("body", name + " at t = 0", edges_of(Shape<dim>(shape_of(body)))));
+    out.push_back(part<dim>("body", name + " at t = 0", edges_of(from_case<dim>(shape_of(body)))));
     for (const v1::Shape& clamp : body.clamp())
-      out.push_back(part<dim>("clamp", "clamp of " + name, edges_of(Shape<dim>(clamp))));
+      out.push_back(part<dim>("clamp", "clamp of " + name, edges_of(from_case<dim>(clamp))));
     for (const v1::Support& support : body.support())
       out.push_back(part<dim>("support", fmt::format("support of {} ({})", name, axes_of(support)),
-                              edges_of(Box<dim>(support.box()))));
+                              edges_of(from_case<dim>(support.box()))));
   }
 }
 
@@ -86,7 +87,7 @@ Json all_parts(const v1::Case& the_case, const std::vector<double>& times) {
   if (the_case.has_fluid()) add_fluid<dim>(out, the_case.fluid(), times);
   if (the_case.has_solid()) add_solid<dim>(out, the_case.solid());
   for (const v1::Probe& probe : the_case.output().probe()) {
-    const Vec<dim> place = Eigen::Map<const Vec<dim>>(probe.position().data());
+    const Vec<dim> place = from_case<dim>(probe.position());
     out.push_back(part<dim>("probe", probe.name(), {{place}}));
   }
   return out;
@@ -114,7 +115,7 @@ std::set<double> extreme_times(const Motion<dim>& motion, const Box<dim>& box, d
 template <int dim>
 void add_motion(Json& out, const std::string& name, const std::vector<Polyline<dim>>& lines,
                 const Box<dim>& box, const v1::WallMotion& wall_motion, double end) {
-  const Motion<dim> motion(wall_motion);
+  const auto motion = from_case<dim>(wall_motion);
   if (!motion.moves()) return;
   for (const double t : extreme_times(motion, box, end)) {
     std::vector<Polyline<dim>> there = lines;
@@ -135,10 +136,10 @@ Json parts_of_check(const v1::Case& the_case) {
   const double end = the_case.time().end();
   if (the_case.has_fluid()) {
     const v1::Fluid& fluid = the_case.fluid();
-    const Box<dim> tank(fluid.tank());
+    const auto tank = from_case<dim>(fluid.tank());
     add_motion<dim>(out, "tank", tank_edges(tank), tank, fluid.tank_motion(), end);
     for (int k = 0; k < fluid.obstacle_size(); ++k) {
-      const Shape<dim> shape(fluid.obstacle(k).shape());
+      const auto shape = from_case<dim>(fluid.obstacle(k).shape());
       add_motion<dim>(out, numbered("obstacle", k, fluid.obstacle_size()), edges_of(shape), shape.bounds(),
                       motion_of(fluid, fluid.obstacle(k)), end);
     }
@@ -146,8 +147,9 @@ Json parts_of_check(const v1::Case& the_case) {
   if constexpr (dim == 2) {
     const v1::Solid& solid = the_case.solid();
     for (int b = 0; b < solid.body_size(); ++b) {
-      if (Shape<2>(shape_of(solid.body(b))).is_box()) continue;
-      const BodySites<2> sites(solid.body(b), solid_spacing(the_case));
+      const auto shape = from_case<2>(shape_of(solid.body(b)));
+      if (shape.is_box()) continue;
+      const BodySites<2> sites(shape, solid_spacing(the_case));
       out.push_back(part<2>("stairs", numbered("body", b, solid.body_size()) + " on the lattice",
                             stairs_of(sites.all(), solid_spacing(the_case))));
     }

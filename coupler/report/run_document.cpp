@@ -6,8 +6,8 @@
 #include <cmath>
 #include <ctime>
 
+#include "common/case/bodies.hpp"
 #include "common/error.hpp"
-#include "common/geometry/body_sites.hpp"
 #include "common/version.hpp"
 #include "coupler/provenance.hpp"
 #include "coupler/report/case_table.hpp"

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/case/carriers.hpp"
-#include "common/case/window_sizes.hpp"
 #include "common/error.hpp"
 #include "common/state_bytes.hpp"
 #include "solid_solver/contact/vertex_motion.hpp"
@@ -26,26 +24,24 @@ constexpr double whole = 1e-6;         // [sub-steps] tolerance: a window of 20.
 
 /// Speed of a fall through the height of the tank, or of all bodies if there is no tank [m/s].
 template <int dim>
-double fall_speed(const v1::Case& the_case, const Field& vertices) {
+double fall_speed(const Vec<dim>& gravity, const Surroundings<dim>& surroundings, const Field& vertices) {
   double height = (vertices.rowwise().maxCoeff() - vertices.rowwise().minCoeff()).maxCoeff();
-  if (the_case.fluid().has_tank())
-    height = the_case.fluid().tank().max(dim - 1) - the_case.fluid().tank().min(dim - 1);
-  const Eigen::Map<const Eigen::VectorXd> gravity(the_case.gravity().data(), the_case.gravity_size());
+  if (surroundings.tank) height = surroundings.tank->box.max[dim - 1] - surroundings.tank->box.min[dim - 1];
   return std::sqrt(2 * gravity.norm() * height);
 }
 
 }  // namespace
 
 template <int dim>
-ContactModel<dim>::ContactModel(std::unique_ptr<SolidModel> model, const v1::Case& the_case, double spacing)
-    : WrappedModel(std::move(model)), neighborhood_(the_case, spacing) {
-  H_ = vertex_interpolation(*model_, the_case.solid(), neighborhood_.vertices(), neighborhood_.body(),
-                            spacing);
+ContactModel<dim>::ContactModel(std::unique_ptr<SolidModel> model, const Structure<dim>& structure,
+                                const Surroundings<dim>& surroundings)
+    : WrappedModel(std::move(model)), neighborhood_(structure, surroundings) {
+  H_ = vertex_interpolation(*model_, structure, neighborhood_.vertices(), neighborhood_.body());
   neighborhood_.hold(empty_rows(H_));
-  for (const v1::Body& body : the_case.solid().body()) carrier_.emplace_back(motion_of(the_case, body));
-  step_ = windows_share * expected_window(the_case);
-  if (const double speed = fall_speed<dim>(the_case, neighborhood_.vertices()); speed > 0)
-    step_ = std::min(step_, fall * spacing / speed);
+  for (const Body<dim>& body : structure.bodies) carrier_.push_back(body.carrier);
+  step_ = windows_share * surroundings.window;
+  if (const double speed = fall_speed(structure.gravity, surroundings, neighborhood_.vertices()); speed > 0)
+    step_ = std::min(step_, fall * structure.spacing / speed);
   if (model_->substep() > 0) step_ = std::min(step_, beside_springs * model_->substep());
   ramp_increment_ = Field::Zero(dim, model_->nodes());
 }
@@ -263,15 +259,17 @@ void ContactModel<dim>::restore(const std::string& bytes) {
   notes_.clear();
 }
 
-std::unique_ptr<SolidModel> with_contact(std::unique_ptr<SolidModel> model, const v1::Case& the_case,
-                                         double spacing) {
-  const v1::Solid& solid = the_case.solid();
-  const bool alone =
-      !the_case.fluid().has_tank() && the_case.fluid().obstacle().empty() && solid.body_size() == 1;
-  if (alone || solid.model() == v1::SolidModel::rigid) return model;
-  if (the_case.dimension() == 2)
-    return std::make_unique<ContactModel<2>>(std::move(model), the_case, spacing);
-  return std::make_unique<ContactModel<3>>(std::move(model), the_case, spacing);
+template <int dim>
+std::unique_ptr<SolidModel> with_contact(std::unique_ptr<SolidModel> model, const Structure<dim>& structure,
+                                         const Surroundings<dim>& surroundings) {
+  const bool alone = !surroundings.tank && surroundings.obstacles.empty() && structure.bodies.size() == 1;
+  if (alone || structure.template is<RigidParameters>()) return model;
+  return std::make_unique<ContactModel<dim>>(std::move(model), structure, surroundings);
 }
+
+template std::unique_ptr<SolidModel> with_contact<2>(std::unique_ptr<SolidModel>, const Structure<2>&,
+                                                     const Surroundings<2>&);
+template std::unique_ptr<SolidModel> with_contact<3>(std::unique_ptr<SolidModel>, const Structure<3>&,
+                                                     const Surroundings<3>&);
 
 }  // namespace cosurge::contact

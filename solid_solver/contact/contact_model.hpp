@@ -16,7 +16,8 @@ namespace cosurge::contact {
 template <int dim>
 class ContactModel : public WrappedModel {
  public:
-  ContactModel(std::unique_ptr<SolidModel> model, const v1::Case& the_case, double spacing);
+  ContactModel(std::unique_ptr<SolidModel> model, const Structure<dim>& structure,
+               const Surroundings<dim>& surroundings);
 
   int advance(const Window& window, const NodalLoad& load) override;
   Field ramp_increment() const override { return touching_ ? ramp_increment_ : model_->ramp_increment(); }
@@ -64,7 +65,8 @@ class ContactModel : public WrappedModel {
 };
 
 /// The model with contact, or as it is where its bodies cannot move or there is nothing to touch.
-std::unique_ptr<SolidModel> with_contact(std::unique_ptr<SolidModel> model, const v1::Case& the_case,
-                                         double spacing);
+template <int dim>
+std::unique_ptr<SolidModel> with_contact(std::unique_ptr<SolidModel> model, const Structure<dim>& structure,
+                                         const Surroundings<dim>& surroundings);
 
 }  // namespace cosurge::contact

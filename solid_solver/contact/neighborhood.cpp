@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "common/case/carriers.hpp"
 #include "common/error.hpp"
 
 namespace cosurge::contact {
@@ -43,16 +42,16 @@ Touch<dim> nowhere(int body, int other, double share) {
 }  // namespace
 
 template <int dim>
-Neighborhood<dim>::Neighborhood(const v1::Case& the_case, double spacing)
-    : spacing_(spacing), reach_(reach_in_spacings * spacing) {
-  if (the_case.fluid().has_tank()) tank_.emplace_back(the_case.fluid());
-  for (const v1::Obstacle& obstacle : the_case.fluid().obstacle())
-    obstacles_.emplace_back(obstacle.shape(), motion_of(the_case.fluid(), obstacle), spacing, reach_);
+Neighborhood<dim>::Neighborhood(const Structure<dim>& structure, const Surroundings<dim>& surroundings)
+    : spacing_(structure.spacing), reach_(reach_in_spacings * structure.spacing) {
+  if (surroundings.tank) tank_.emplace_back(*surroundings.tank);
+  for (const Obstacle<dim>& obstacle : surroundings.obstacles)
+    obstacles_.emplace_back(obstacle.shape, obstacle.motion, spacing_, reach_);
   first_.push_back(0);
-  for (const v1::Body& body : the_case.solid().body()) {
-    shapes_.emplace_back(shape_of(body));
-    boundaries_.emplace_back(shapes_.back(), spacing);
-    clamped_.push_back(body.clamp_size() > 0 || body.support_size() > 0 ? 1 : 0);
+  for (const Body<dim>& body : structure.bodies) {
+    shapes_.push_back(body.shape);
+    boundaries_.emplace_back(body.shape, spacing_);
+    clamped_.push_back(body.clamps.empty() && body.supports.empty() ? 0 : 1);
     const Boundary<dim>& made = boundaries_.back();
     first_.push_back(first_.back() + made.position.cols());
     body_.insert(body_.end(), made.area.size(), bodies() - 1);

@@ -8,6 +8,7 @@
 #include "solid_solver/contact/obstacle_boundary.hpp"
 #include "solid_solver/contact/tank_walls.hpp"
 #include "solid_solver/contact/touch.hpp"
+#include "solid_solver/scene.hpp"
 
 namespace cosurge::contact {
 
@@ -20,8 +21,8 @@ class Neighborhood {
  public:
   using Touches = std::vector<Touch<dim>>;
 
-  /// @param spacing longest edge of facets [m]
-  Neighborhood(const v1::Case& the_case, double spacing);
+  /// The spacing of the structure is the longest edge of facets.
+  Neighborhood(const Structure<dim>& structure, const Surroundings<dim>& surroundings);
 
   int bodies() const { return static_cast<int>(boundaries_.size()); }
   /// Vertices of all bodies, body after body, undeformed [m].

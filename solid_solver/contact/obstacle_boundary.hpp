@@ -14,7 +14,7 @@ class ObstacleBoundary {
   /// @param motion the obstacle's own, or the tank's
   /// @param longest edge of a facet [m]
   /// @param reach how far away a facet is found [m]
-  ObstacleBoundary(const v1::Shape& shape, const v1::WallMotion& motion, double longest, double reach)
+  ObstacleBoundary(const Shape<dim>& shape, const Motion<dim>& motion, double longest, double reach)
       : shape_(shape), motion_(motion), longest_(longest), reach_(reach) {}
 
   const Shape<dim>& shape() const { return shape_; }  ///< where it is at the start

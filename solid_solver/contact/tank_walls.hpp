@@ -4,7 +4,7 @@
 #include <string>
 
 #include "common/error.hpp"
-#include "common/geometry/motion.hpp"
+#include "common/geometry/tank.hpp"
 
 namespace cosurge::contact {
 
@@ -14,7 +14,7 @@ class TankWalls {
  public:
   static constexpr int count = 2 * dim - 1;  ///< the floor first, then both sides of each other axis
 
-  explicit TankWalls(const v1::Fluid& fluid) : tank_(fluid.tank()), motion_(fluid.tank_motion()) {}
+  explicit TankWalls(const Tank<dim>& tank) : tank_(tank.box), motion_(tank.motion) {}
 
   /// Planes of the tank, from their initial positions.
   const Motion<dim>& motion() const { return motion_; }

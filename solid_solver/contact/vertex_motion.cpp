@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "common/error.hpp"
-#include "common/geometry/shape.hpp"
 
 namespace cosurge::contact {
 namespace {
@@ -14,17 +13,13 @@ constexpr double rounding = 1e-6;  // [spacings] tolerance: vertices on a clamp'
 constexpr int iterations = 40;
 
 template <int dim>
-std::vector<char> in_clamps(const v1::Solid& solid, const Field& position, const std::vector<int>& body,
-                            double spacing) {
+std::vector<char> in_clamps(const Structure<dim>& structure, const Field& position,
+                            const std::vector<int>& body) {
   std::vector<char> held(body.size(), 0);
-  for (int b = 0; b < solid.body_size(); ++b) {
-    for (const v1::Shape& clamp : solid.body(b).clamp()) {
-      const Shape<dim> shape(clamp);
-      for (std::size_t v = 0; v < body.size(); ++v)
-        if (body[v] == b && shape.outside(position.col(static_cast<Eigen::Index>(v))) <= rounding * spacing)
-          held[v] = 1;
-    }
-  }
+  for (std::size_t v = 0; v < body.size(); ++v)
+    for (const Shape<dim>& clamp : structure.bodies[static_cast<std::size_t>(body[v])].clamps)
+      if (clamp.outside(position.col(static_cast<Eigen::Index>(v))) <= rounding * structure.spacing)
+        held[v] = 1;
   return held;
 }
 
@@ -60,16 +55,16 @@ Interpolation row_by_row(const SolidModel& model, const Field& position, const s
 
 }  // namespace
 
-Interpolation vertex_interpolation(const SolidModel& model, const v1::Solid& solid, const Field& position,
-                                   const std::vector<int>& body, double spacing) {
+template <int dim>
+Interpolation vertex_interpolation(const SolidModel& model, const Structure<dim>& structure,
+                                   const Field& position, const std::vector<int>& body) {
   Interpolation H;
   try {
     H = model.interpolation(position, body);
   } catch (const std::exception&) {
     H = row_by_row(model, position, body);
   }
-  const std::vector<char> held = position.rows() == 2 ? in_clamps<2>(solid, position, body, spacing)
-                                                      : in_clamps<3>(solid, position, body, spacing);
+  const std::vector<char> held = in_clamps(structure, position, body);
   H.prune([&](Eigen::Index row, Eigen::Index, double) { return held[static_cast<std::size_t>(row)] == 0; });
   return H;
 }
@@ -106,5 +101,10 @@ std::vector<double> fastest_per_stiffness(const SolidModel& model, const Interpo
   }
   return fastest;
 }
+
+template Interpolation vertex_interpolation<2>(const SolidModel&, const Structure<2>&, const Field&,
+                                               const std::vector<int>&);
+template Interpolation vertex_interpolation<3>(const SolidModel&, const Structure<3>&, const Field&,
+                                               const std::vector<int>&);
 
 }  // namespace cosurge::contact

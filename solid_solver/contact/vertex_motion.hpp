@@ -3,16 +3,17 @@
 
 #include <vector>
 
-#include "proto/case.pb.h"
 #include "solid_solver/solid_model.hpp"
+#include "solid_solver/structure.hpp"
 
 namespace cosurge::contact {
 
 /// H of the vertices (SolidModel::interpolation). One that its model does not reach, at a spike between its
 /// particles, follows the nearest one that it does. Those in or on a clamp have an empty row: they are held.
 /// @param position of the vertices [m], dimension x vertices; `body` of each
-Interpolation vertex_interpolation(const SolidModel& model, const v1::Solid& solid, const Field& position,
-                                   const std::vector<int>& body, double spacing);
+template <int dim>
+Interpolation vertex_interpolation(const SolidModel& model, const Structure<dim>& structure,
+                                   const Field& position, const std::vector<int>& body);
 
 /// Which rows of H are empty.
 std::vector<char> empty_rows(const Interpolation& H);

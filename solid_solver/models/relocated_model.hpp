@@ -4,24 +4,27 @@
 #include <memory>
 
 #include "common/error.hpp"
-#include "proto/case.pb.h"
+#include "solid_solver/structure.hpp"
 #include "solid_solver/wrapped_model.hpp"
 
 namespace cosurge {
 
-/// Where coordinates of a case's bodies are counted from [m], empty where the case's own origin serves:
-/// bodies more than a hundred times as far from it as they are large lose digits. A multiple of the spacing.
-std::vector<double> origin_near_bodies(const v1::Case& the_case, double spacing);
+/// Where coordinates of the bodies are counted from [m], nothing where their own origin serves: bodies more
+/// than a hundred times as far from it as they are large lose digits. A multiple of the spacing.
+template <int dim>
+std::optional<Vec<dim>> origin_near_bodies(const Structure<dim>& structure);
 
-/// The case with its bodies, their clamps and supports, and pivots counted from `origin`.
-v1::Case relocated(const v1::Case& the_case, const std::vector<double>& origin);
+/// The structure with its bodies, their clamps and supports, and pivots counted from `origin`; carriers move
+/// as before.
+template <int dim>
+Structure<dim> relocated(const Structure<dim>& structure, const Vec<dim>& origin);
 
 /// Result of `work`; messages of its errors say that their coordinates are relative to `origin`.
 template <typename Work>
-auto saying_origin(const std::vector<double>& origin, const Work& work) {
+auto saying_origin(const Eigen::VectorXd& origin, const Work& work) {
   const auto said = [&](const std::exception& error) {
     return fmt::format("{} (coordinates of the body are counted from ({:.10g}) m)", error.what(),
-                       fmt::join(origin, ", "));
+                       fmt::join(origin.begin(), origin.end(), ", "));
   };
   try {
     return work();
@@ -32,10 +35,11 @@ auto saying_origin(const std::vector<double>& origin, const Work& work) {
   }
 }
 
-/// Runs a model of the relocated case on positions of the case. Messages say what their coordinates mean.
+/// Runs a model of the relocated structure on positions of the case. Messages say what their coordinates
+/// mean.
 class RelocatedModel : public WrappedModel {
  public:
-  RelocatedModel(std::unique_ptr<SolidModel> model, const std::vector<double>& origin);
+  RelocatedModel(std::unique_ptr<SolidModel> model, const Eigen::VectorXd& origin);
 
   Interpolation interpolation(const Field& position, const std::vector<int>& body) const override;
   int advance(const Window& window, const NodalLoad& load) override;
@@ -43,7 +47,7 @@ class RelocatedModel : public WrappedModel {
   Snapshot frame() const override;
 
  private:
-  std::vector<double> origin_;
+  Eigen::VectorXd origin_;
 };
 
 }  // namespace cosurge

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <vector>
 
+#include "common/case/bodies.hpp"
+#include "common/case/from_case.hpp"
 #include "common/geometry/body_sites.hpp"
 #include "common/participant.hpp"
 
@@ -81,7 +83,7 @@ inline v1::Shape prism(double width, double height, double depth) {
 /// Points of a fluid on the sites of a body, with the areas of the faces of cells that nothing covers.
 template <int dim>
 Interface points_on(const v1::Body& body, double spacing) {
-  const BodySites<dim> sites(body, spacing);
+  const BodySites<dim> sites(from_case<dim>(shape_of(body)), spacing);
   const auto count = static_cast<Eigen::Index>(sites.all().size());
   Interface points{
       .dimension = dim, .position = Field(dim, count), .area = Field::Zero(dim, count), .body = {}};

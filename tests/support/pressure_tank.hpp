@@ -1,6 +1,7 @@
 // A tank with water and a body in it, for the pressure equation.
 #pragma once
 
+#include "common/case/from_case.hpp"
 #include "fluid_solver/bodies.hpp"
 #include "fluid_solver/pressure/poisson_equation.hpp"
 #include "tests/support/water.hpp"
@@ -68,7 +69,7 @@ struct Tank {
     Box<dim> water = box;
     water.max[dim - 1] = p.water;
     for (Vec<dim> x : fill(water, l0)) {
-      if (p.solid != nullptr && Box<dim>(p.solid->body(0).box()).contains(x)) continue;
+      if (p.solid != nullptr && from_case<dim>(p.solid->body(0).box()).contains(x)) continue;
       if (p.disorder > 0)
         for (double& coordinate : x) coordinate += shift(random);
       cloud.particles.add(Kind::fluid, x);

@@ -8,6 +8,7 @@
 #include "solid_solver/models/hamiltonian/hamiltonian_body.hpp"
 #include "solid_solver/models/mps/mps_body.hpp"
 #include "tests/support/solid_cases.hpp"
+#include "tests/support/structures.hpp"
 
 namespace cosurge::test {
 
@@ -20,8 +21,8 @@ struct Block {
   bool neo_hookean = false;
   double viscosity = 0;  ///< viscosity of particles, over rho c_p l0
 
-  v1::Body body() const {
-    return plate({.columns = columns, .rows = rows, .clamped = clamped}).solid().body(0);
+  Body<2> body() const {
+    return body_of<2>(plate({.columns = columns, .rows = rows, .clamped = clamped}).solid().body(0));
   }
   Elasticity material() const {
     return {.density = 2500,
@@ -119,13 +120,14 @@ inline particles::Substance<2> substance_of(const Block& block) {
           .retardation = block.viscosity * l0 / block.material().pressure_speed()};
 }
 
-template <v1::SolidMps::Pairs pairs>
+template <MpsParameters::Pairs pairs>
 class MpsSample : public ParticleSample<mps::MpsBody<2>> {
  public:
   static constexpr bool whole_energy = false;  // faces of `paper` lack neighbours; large strains: other law
-  static constexpr bool local = pairs == v1::SolidMps::paper;  // whole weights differ far from the faces too
-  static constexpr double conserves = 1e-11;                   // rounding of 2000 steps
-  static constexpr double rounding = 1e-11;                    // sum of all forces over the largest force
+  static constexpr bool local =
+      pairs == MpsParameters::Pairs::paper;   // whole weights differ far from the faces too
+  static constexpr double conserves = 1e-11;  // rounding of 2000 steps
+  static constexpr double rounding = 1e-11;   // sum of all forces over the largest force
 
   explicit MpsSample(const Block& block)
       : ParticleSample(
@@ -144,8 +146,8 @@ class MpsSample : public ParticleSample<mps::MpsBody<2>> {
   using Axial = mps::MpsBody<2>::Axial;
 };
 
-using PaperSample = MpsSample<v1::SolidMps::paper>;
-using CorrectedSample = MpsSample<v1::SolidMps::corrected>;
+using PaperSample = MpsSample<MpsParameters::Pairs::paper>;
+using CorrectedSample = MpsSample<MpsParameters::Pairs::corrected>;
 
 class HamiltonianSample : public ParticleSample<hamiltonian::HamiltonianBody<2>> {
  public:

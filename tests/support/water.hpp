@@ -5,6 +5,7 @@
 #include <random>
 #include <vector>
 
+#include "common/case/bodies.hpp"
 #include "fluid_solver/density.hpp"
 #include "fluid_solver/neighbors.hpp"
 #include "fluid_solver/walls.hpp"

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/case/case_file.hpp"
+#include "common/case/from_case.hpp"
 #include "common/geometry/motion.hpp"
 #include "tests/support/recording.hpp"
 
@@ -19,7 +20,7 @@ double strayed(const std::vector<std::string>& settings) {
   all.insert(all.end(), settings.begin(), settings.end());
   const v1::Case c = load_case(COSURGE_SOURCE_DIR "/cases/sloshing_baffle", all);
   const Recording run(c);
-  const Motion<2> tank(c.fluid().tank_motion());
+  const auto tank = from_case<2>(c.fluid().tank_motion());
   const Vec<2> X(0.3, 0.09);
   double farthest = 0;
   for (std::size_t k = 0; k < run.time().size(); ++k) {
@@ -51,7 +52,7 @@ TEST(SloshingBaffle, StandsStillWhereItSaysSo) {
   const v1::Case c =
       load_case(COSURGE_SOURCE_DIR "/cases/sloshing_baffle", {"solid.body.0.motion={}", "solid.model=rigid"});
   EXPECT_TRUE(c.solid().body(0).has_motion());
-  EXPECT_FALSE(Motion<2>(c.solid().body(0).motion()).moves());
+  EXPECT_FALSE(from_case<2>(c.solid().body(0).motion()).moves());
   EXPECT_FALSE(load_case(COSURGE_SOURCE_DIR "/cases/sloshing_baffle").solid().body(0).has_motion());
 }
 

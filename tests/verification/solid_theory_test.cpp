@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "solid_solver/from_case.hpp"
 #include "solid_solver/models/modal/modes.hpp"
 #include "tests/support/impact.hpp"
 
@@ -76,8 +77,9 @@ INSTANTIATE_TEST_SUITE_P(All, SolidTheory,
 double fine_frequency(const Cantilever& beam) {
   PlateCase fine{.model = v1::SolidModel::modal, .plate = beam, .particles = 36};
   const v1::Case c = fine.make();
-  const Elasticity material = elasticity_of<2>(c.solid());
-  const fem::FemBody<2> body(c.solid().body(0), 0, beam.thickness / 12, material, Vec<2>::Zero());
+  const Elasticity material = structure_from_case<2>(c).material;
+  const fem::FemBody<2> body(structure_from_case<2>(c).bodies.front(), 0, beam.thickness / 12, material,
+                             Vec<2>::Zero());
   return std::sqrt(modal::lowest_modes(body, material, 1).omega_squared[0]) / (2 * std::numbers::pi);
 }
 

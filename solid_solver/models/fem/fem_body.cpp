@@ -8,7 +8,7 @@
 
 namespace cosurge::fem {
 template <int dim>
-FemBody<dim>::FemBody(const v1::Body& body, int index, double longest, const Elasticity& material,
+FemBody<dim>::FemBody(const Body<dim>& body, std::size_t index, double longest, const Elasticity& material,
                       const Vec<dim>& gravity)
     : material_(material),
       linear_dilatation_(material.lambda() > 0 && !material.plane_stress),

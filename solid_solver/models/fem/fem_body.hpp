@@ -35,7 +35,7 @@ class FemBody {
 
   /// @param index of the body, for messages
   /// @param longest side of an element [m], 0 for a third of the thickness
-  FemBody(const v1::Body& body, int index, double longest, const Elasticity& material,
+  FemBody(const Body<dim>& body, std::size_t index, double longest, const Elasticity& material,
           const Vec<dim>& gravity);
 
   const Mesh<dim>& mesh() const { return mesh_; }

@@ -19,11 +19,11 @@ constexpr double gives_way = 0.577;
 }  // namespace
 
 template <int dim>
-FemModel<dim>::FemModel(const v1::Solid& solid, double spacing, const Vec<dim>& gravity)
-    : bodies_(solid, spacing, gravity), substep_(solid.fem().substep()) {
-  const std::vector<double> damping = damping_rates<dim>(solid);
+FemModel<dim>::FemModel(const Structure<dim>& structure, const FemParameters& parameters)
+    : bodies_(structure), substep_(parameters.substep) {
+  const std::vector<double> damping = damping_rates(structure);
   for (const FemBody<dim>& body : bodies_.bodies()) {
-    motions_.emplace_back(body, solid.fem().rho_infinity(), damping[motions_.size()]);
+    motions_.emplace_back(body, parameters.rho_infinity, damping[motions_.size()]);
     ramp_increment_.push_back(Vector::Zero(body.unknowns()));
   }
 }

@@ -12,8 +12,7 @@ namespace cosurge::fem {
 template <int dim>
 class FemModel : public SolidModel {
  public:
-  /// @param spacing of the points that follow the bodies [m]
-  FemModel(const v1::Solid& solid, double spacing, const Vec<dim>& gravity);
+  FemModel(const Structure<dim>& structure, const FemParameters& parameters);
   FemModel(const FemModel&) = delete;
   FemModel& operator=(const FemModel&) = delete;
 

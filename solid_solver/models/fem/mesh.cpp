@@ -38,10 +38,11 @@ bool invert(Eigen::Matrix<double, dim, QuadraticElement<dim>::nodes> corners, Ve
 }  // namespace
 
 template <int dim>
-Mesh<dim>::Mesh(const v1::Body& body, int index, double longest)
-    : shape_(shape_of(body)),
-      grid_(chosen_grid(shape_, longest, index)),
-      margin_(rounding * side().minCoeff()) {
+Mesh<dim>::Mesh(const Body<dim>& body, std::size_t index, double longest)
+    : shape_(body.shape),
+      grid_(chosen_grid(shape_, longest, static_cast<int>(index))),
+      margin_(rounding * side().minCoeff()),
+      clamps_(body.clamps) {
   hold(body, index);
   const Vec<dim> margin = Vec<dim>::Constant(side().norm());
   for (Eigen::Index e = 0; e < elements() && !even(); ++e) {
@@ -52,24 +53,23 @@ Mesh<dim>::Mesh(const v1::Body& body, int index, double longest)
 }
 
 template <int dim>
-void Mesh<dim>::hold(const v1::Body& body, int index) {
-  const Supports<dim> supports(body, margin_);
+void Mesh<dim>::hold(const Body<dim>& body, std::size_t index) {
+  const Supports<dim> supports(body.supports, margin_);
   std::vector<Vec<dim>> points;
   for (Eigen::Index n = 0; n < nodes(); ++n) {
     points.emplace_back(position().col(n));
     held_.push_back(supports.held(points.back()));
   }
   supports.require_points(points, index, "node");
-  for (const v1::Shape& clamp : body.clamp()) {
-    clamps_.emplace_back(clamp);
+  for (std::size_t c = 0; c < clamps_.size(); ++c) {
     bool any = false;
     for (std::size_t n = 0; n < points.size(); ++n) {
-      if (clamps_.back().outside(points[n]) > margin_) continue;
+      if (clamps_[c].outside(points[n]) > margin_) continue;
       held_[n].fill(true);
       any = true;
     }
     require(any, "solid.body.{}.clamp.{}: contains no node of the mesh; make solid.fem.element <= {:.3g} m",
-            index, clamps_.size() - 1, side().minCoeff() / 2);
+            index, c, side().minCoeff() / 2);
   }
   const auto free = [](const Axes<dim>& held) {
     return std::find(held.begin(), held.end(), false) != held.end();

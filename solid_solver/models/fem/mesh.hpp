@@ -5,7 +5,7 @@
 
 #include "solid_solver/models/fem/element_bins.hpp"
 #include "solid_solver/models/fem/fitted_grid.hpp"
-#include "solid_solver/supports.hpp"
+#include "solid_solver/structure.hpp"
 
 namespace cosurge::fem {
 
@@ -23,7 +23,7 @@ class Mesh {
 
   /// @param longest side of an element [m]; 0: chosen_grid chooses it
   /// @throws Error as FittedGrid does, and for a clamp or support that holds no node.
-  Mesh(const v1::Body& body, int index, double longest);
+  Mesh(const Body<dim>& body, std::size_t index, double longest);
 
   Eigen::Index nodes() const { return grid_.position.cols(); }
   Eigen::Index elements() const { return static_cast<Eigen::Index>(grid_.node.size()); }
@@ -51,7 +51,7 @@ class Mesh {
   double outside(const Vec<dim>& x) const { return shape_.outside(x); }
 
  private:
-  void hold(const v1::Body& body, int index);
+  void hold(const Body<dim>& body, std::size_t index);
   Place place_in_grid(const Vec<dim>& x) const;
 
   Shape<dim> shape_;

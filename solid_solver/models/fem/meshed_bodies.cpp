@@ -14,16 +14,17 @@ constexpr double rounding = 1e-6;  // [spacings]
 }  // namespace
 
 template <int dim>
-MeshedBodies<dim>::MeshedBodies(const v1::Solid& solid, double spacing, const Vec<dim>& gravity)
-    : material_(elasticity_of<dim>(solid)), spacing_(spacing) {
+MeshedBodies<dim>::MeshedBodies(const Structure<dim>& structure)
+    : material_(structure.material), spacing_(structure.spacing) {
   first_.push_back(0);
-  for (int b = 0; b < solid.body_size(); ++b) {
-    bodies_.emplace_back(solid.body(b), b, solid.fem().element(), material_, gravity);
+  for (std::size_t b = 0; b < structure.bodies.size(); ++b) {
+    const Body<dim>& body = structure.bodies[b];
+    bodies_.emplace_back(body, b, structure.element, material_, structure.gravity);
     const Mesh<dim>& mesh = bodies_.back().mesh();
     first_.push_back(first_.back() + mesh.nodes());
-    const BodySites<dim> sites(solid.body(b), spacing);
+    const BodySites<dim> sites(body.shape, spacing_);
     for (const Vec<dim>& x : sites.all())
-      sites_.push_back({.body = static_cast<std::size_t>(b), .position = x, .place = mesh.place(x)});
+      sites_.push_back({.body = b, .position = x, .place = mesh.place(x)});
   }
 }
 

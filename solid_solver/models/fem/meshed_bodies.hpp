@@ -15,9 +15,9 @@ class MeshedBodies {
   /// Vectors over the unknowns, one a body.
   using Vectors = std::vector<Vector>;
 
-  /// @param spacing of frames, and twice how far a point may lie outside its body [m]
+  /// A point may lie half a spacing outside its body.
   /// @throws Error as Mesh does
-  MeshedBodies(const v1::Solid& solid, double spacing, const Vec<dim>& gravity);
+  explicit MeshedBodies(const Structure<dim>& structure);
 
   const Elasticity& material() const { return material_; }
   const std::vector<FemBody<dim>>& bodies() const { return bodies_; }

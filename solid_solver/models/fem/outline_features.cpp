@@ -71,10 +71,9 @@ class Surface {
 
   /// Facets of each patch.
   std::vector<Shape<3>> patches(const std::vector<Shape<3>::Facet>& facets) {
-    std::map<std::size_t, v1::Shape> outlines;
+    std::map<std::size_t, std::vector<Vec<3>>> outlines;
     for (std::size_t f = 0; f < facets.size(); ++f)
-      for (const Vec<3>& corner : facets[f])
-        for (const double value : corner) outlines[root(f)].add_vertex(value);
+      outlines[root(f)].insert(outlines[root(f)].end(), facets[f].begin(), facets[f].end());
     std::vector<Shape<3>> all;
     for (const auto& [first, outline] : outlines) all.emplace_back(outline);
     return all;

@@ -16,7 +16,8 @@ using particles::Lanes;
 }  // namespace
 
 template <int dim>
-HamiltonianBody<dim>::HamiltonianBody(const v1::Body& body, int index, const particles::Stencil<dim>& stencil,
+HamiltonianBody<dim>::HamiltonianBody(const Body<dim>& body, std::size_t index,
+                                      const particles::Stencil<dim>& stencil,
                                       const particles::Substance<dim>& substance, double stabilisation)
     : Base(body, index, stencil, substance), lambda_(particles::lambda_of_particles(substance.material)) {
   double second_moment = 0;
@@ -301,14 +302,14 @@ void HamiltonianBody<dim>::restore(StateReader& state) {
 }
 
 template <int dim>
-std::unique_ptr<SolidModel> make_hamiltonian(const v1::Solid& solid, double spacing,
-                                             const Vec<dim>& gravity) {
+std::unique_ptr<SolidModel> make_hamiltonian(const Structure<dim>& structure,
+                                             const HamiltonianParameters& parameters) {
   return particles::make_particle_model<dim>(
-      solid, spacing, gravity, solid.hamiltonian(), "solid.hamiltonian",
-      [&](const v1::Body& body, int number, const particles::Stencil<dim>& stencil,
+      structure, parameters.particles, "solid.hamiltonian",
+      [&](const Body<dim>& body, std::size_t number, const particles::Stencil<dim>& stencil,
           const particles::Substance<dim>& substance) {
         return std::make_unique<HamiltonianBody<dim>>(body, number, stencil, substance,
-                                                      solid.hamiltonian().stabilisation());
+                                                      parameters.stabilisation);
       },
       ". Or the material, st_venant_kirchhoff, has collapsed in compression (solid.model = \"fem\" with "
       "solid.material = \"neo_hookean\")");
@@ -316,7 +317,7 @@ std::unique_ptr<SolidModel> make_hamiltonian(const v1::Solid& solid, double spac
 
 template class HamiltonianBody<2>;
 template class HamiltonianBody<3>;
-template std::unique_ptr<SolidModel> make_hamiltonian<2>(const v1::Solid&, double, const Vec<2>&);
-template std::unique_ptr<SolidModel> make_hamiltonian<3>(const v1::Solid&, double, const Vec<3>&);
+template std::unique_ptr<SolidModel> make_hamiltonian<2>(const Structure<2>&, const HamiltonianParameters&);
+template std::unique_ptr<SolidModel> make_hamiltonian<3>(const Structure<3>&, const HamiltonianParameters&);
 
 }  // namespace cosurge::hamiltonian

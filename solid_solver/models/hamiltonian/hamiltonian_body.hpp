@@ -18,7 +18,7 @@ template <int dim>
 class HamiltonianBody : public particles::ParticleBody<dim> {
  public:
   /// @param stabilisation modulus of the second energy over Young's [-]
-  HamiltonianBody(const v1::Body& body, int index, const particles::Stencil<dim>& stencil,
+  HamiltonianBody(const Body<dim>& body, std::size_t index, const particles::Stencil<dim>& stencil,
                   const particles::Substance<dim>& substance, double stabilisation);
 
   /// Highest angular frequency of the undeformed body [rad/s], by Lanczos iteration: steps are stable up to 2
@@ -71,11 +71,11 @@ class HamiltonianBody : public particles::ParticleBody<dim> {
   std::optional<particles::CellDilatation<dim>> cells_;  // where Poisson's ratio is near 1/2 (S42)
 };
 
-/// The model `hamiltonian` of a case.
-/// @param spacing l0 [m]
+/// The model `hamiltonian` of a structure.
 /// @throws Error for a body without free particles or thinner than two, and for a sub-step beyond the stable
 /// one.
 template <int dim>
-std::unique_ptr<SolidModel> make_hamiltonian(const v1::Solid& solid, double spacing, const Vec<dim>& gravity);
+std::unique_ptr<SolidModel> make_hamiltonian(const Structure<dim>& structure,
+                                             const HamiltonianParameters& parameters);
 
 }  // namespace cosurge::hamiltonian

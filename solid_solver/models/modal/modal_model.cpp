@@ -9,10 +9,10 @@
 namespace cosurge::modal {
 
 template <int dim>
-ModalModel<dim>::ModalModel(const v1::Solid& solid, double spacing, const Vec<dim>& gravity)
-    : bodies_(solid, spacing, gravity), damping_(damping_rates<dim>(solid)) {
+ModalModel<dim>::ModalModel(const Structure<dim>& structure, const ModalParameters& parameters)
+    : bodies_(structure), damping_(damping_rates(structure)) {
   for (const fem::FemBody<dim>& body : bodies_.bodies()) {
-    modes_.push_back(lowest_modes(body, bodies_.material(), solid.modal().modes()));
+    modes_.push_back(lowest_modes(body, bodies_.material(), parameters.modes));
     weight_.emplace_back(modes_.back().shapes.transpose() * body.weight());
     states_.emplace_back(static_cast<std::size_t>(weight_.back().size()));
   }

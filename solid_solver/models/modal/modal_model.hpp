@@ -13,8 +13,7 @@ namespace cosurge::modal {
 template <int dim>
 class ModalModel : public SolidModel {
  public:
-  /// @param spacing of the points that follow the bodies [m]
-  ModalModel(const v1::Solid& solid, double spacing, const Vec<dim>& gravity);
+  ModalModel(const Structure<dim>& structure, const ModalParameters& parameters);
 
   /// Modes of body b.
   const Modes& modes(std::size_t b) const { return modes_.at(b); }

@@ -55,14 +55,14 @@ Modes lowest_modes(const fem::FemBody<dim>& body, const Elasticity& material, in
 }
 
 template <int dim>
-Modes lowest_of_body(const v1::Solid& solid, int b, int count) {
-  const Elasticity material = elasticity_of<dim>(solid);
-  const fem::FemBody<dim> body(solid.body(b), b, solid.fem().element(), material, Vec<dim>::Zero());
+Modes lowest_of_body(const Structure<dim>& structure, std::size_t b, int count) {
+  const Elasticity& material = structure.material;
+  const fem::FemBody<dim> body(structure.bodies[b], b, structure.element, material, Vec<dim>::Zero());
   return lowest_modes(body, material, std::clamp(static_cast<int>(body.unknowns()) - 1, 1, count));
 }
 
-template Modes lowest_of_body<2>(const v1::Solid&, int, int);
-template Modes lowest_of_body<3>(const v1::Solid&, int, int);
+template Modes lowest_of_body<2>(const Structure<2>&, std::size_t, int);
+template Modes lowest_of_body<3>(const Structure<3>&, std::size_t, int);
 template Modes lowest_modes<2>(const fem::FemBody<2>&, const Elasticity&, int);
 template Modes lowest_modes<3>(const fem::FemBody<3>&, const Elasticity&, int);
 

@@ -19,6 +19,6 @@ Modes lowest_modes(const fem::FemBody<dim>& body, const Elasticity& material, in
 
 /// The `count` lowest modes of body b, or all but one if it has fewer, by the elements of the model `fem`.
 template <int dim>
-Modes lowest_of_body(const v1::Solid& solid, int b, int count);
+Modes lowest_of_body(const Structure<dim>& structure, std::size_t b, int count);
 
 }  // namespace cosurge::modal

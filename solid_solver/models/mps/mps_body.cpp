@@ -19,11 +19,11 @@ using particles::Neighbor;
 }  // namespace
 
 template <int dim>
-MpsBody<dim>::MpsBody(const v1::Body& body, int index, const particles::Stencil<dim>& stencil,
-                      const particles::Substance<dim>& substance, v1::SolidMps::Pairs pairs)
+MpsBody<dim>::MpsBody(const Body<dim>& body, std::size_t index, const particles::Stencil<dim>& stencil,
+                      const particles::Substance<dim>& substance, MpsParameters::Pairs pairs)
     : Base(body, index, stencil, substance),
-      weights_(pairs == v1::SolidMps::paper ? lattice_weights(grid_, stencil)
-                                            : whole_weights(grid_, stencil)),
+      weights_(pairs == MpsParameters::Pairs::paper ? lattice_weights(grid_, stencil)
+                                                    : whole_weights(grid_, stencil)),
       dilatational_(substance.material.lambda() > 0) {
   const Elasticity& material = substance.material;
   for (const Neighbor<dim>& n : stencil.neighbors) {
@@ -301,18 +301,18 @@ void MpsBody<dim>::restore(StateReader& state) {
 }
 
 template <int dim>
-std::unique_ptr<SolidModel> make_mps(const v1::Solid& solid, double spacing, const Vec<dim>& gravity) {
+std::unique_ptr<SolidModel> make_mps(const Structure<dim>& structure, const MpsParameters& parameters) {
   return particles::make_particle_model<dim>(
-      solid, spacing, gravity, solid.mps(), "solid.mps",
-      [&](const v1::Body& body, int number, const particles::Stencil<dim>& stencil,
+      structure, parameters.particles, "solid.mps",
+      [&](const Body<dim>& body, std::size_t number, const particles::Stencil<dim>& stencil,
           const particles::Substance<dim>& substance) {
-        return std::make_unique<MpsBody<dim>>(body, number, stencil, substance, solid.mps().pairs());
+        return std::make_unique<MpsBody<dim>>(body, number, stencil, substance, parameters.pairs);
       });
 }
 
 template class MpsBody<2>;
 template class MpsBody<3>;
-template std::unique_ptr<SolidModel> make_mps<2>(const v1::Solid&, double, const Vec<2>&);
-template std::unique_ptr<SolidModel> make_mps<3>(const v1::Solid&, double, const Vec<3>&);
+template std::unique_ptr<SolidModel> make_mps<2>(const Structure<2>&, const MpsParameters&);
+template std::unique_ptr<SolidModel> make_mps<3>(const Structure<3>&, const MpsParameters&);
 
 }  // namespace cosurge::mps

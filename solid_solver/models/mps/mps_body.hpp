@@ -22,8 +22,8 @@ class MpsBody : public particles::ParticleBody<dim> {
   /// Components of a rotation.
   using Axial = Eigen::Matrix<double, Rotation<dim>::spins, 1>;
 
-  MpsBody(const v1::Body& body, int index, const particles::Stencil<dim>& stencil,
-          const particles::Substance<dim>& substance, v1::SolidMps::Pairs pairs);
+  MpsBody(const Body<dim>& body, std::size_t index, const particles::Stencil<dim>& stencil,
+          const particles::Substance<dim>& substance, MpsParameters::Pairs pairs);
 
   /// Highest angular frequency of the undeformed body, rotations included [rad/s] (S12).
   double highest_frequency() const;
@@ -103,11 +103,10 @@ class MpsBody : public particles::ParticleBody<dim> {
   std::optional<particles::CellDilatation<dim>> cells_;  // where Poisson's ratio is near 1/2 (S42)
 };
 
-/// The model `mps` of a case.
-/// @param spacing l0 [m]
+/// The model `mps` of a structure.
 /// @throws Error for a body without free particles or thinner than two, and for a sub-step beyond the stable
 /// one.
 template <int dim>
-std::unique_ptr<SolidModel> make_mps(const v1::Solid& solid, double spacing, const Vec<dim>& gravity);
+std::unique_ptr<SolidModel> make_mps(const Structure<dim>& structure, const MpsParameters& parameters);
 
 }  // namespace cosurge::mps

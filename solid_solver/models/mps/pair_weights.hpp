@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include "proto/case.pb.h"
 #include "solid_solver/models/particles/body_grid.hpp"
 #include "solid_solver/models/particles/lanes.hpp"
 

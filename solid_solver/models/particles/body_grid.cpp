@@ -34,14 +34,14 @@ bool feels_free_particle(const SiteIndex<dim>& k, const Sites<dim>& sites, const
 }  // namespace
 
 template <int dim>
-BodyGrid<dim>::BodyGrid(const v1::Body& body, int index, const Stencil<dim>& stencil)
-    : spacing_(stencil.spacing), shape_(shape_of(body)), clamps_(body.clamp().begin(), body.clamp().end()) {
+BodyGrid<dim>::BodyGrid(const Body<dim>& body, std::size_t index, const Stencil<dim>& stencil)
+    : spacing_(stencil.spacing), shape_(body.shape), clamps_(body.clamps) {
   Sites<dim> sites;
-  const BodySites<dim> own(body, spacing_);
+  const BodySites<dim> own(shape_, spacing_);
   for (const Vec<dim>& x : own.all()) sites[index_of(x)] = false;
   for (const Shape<dim>& clamp : clamps_)
     for (const Vec<dim>& x : clamp.fill(spacing_)) sites[index_of(x)] = true;
-  const Supports<dim> supports(body, coincide * spacing_);
+  const Supports<dim> supports(body.supports, coincide * spacing_);
   std::vector<SiteIndex<dim>> kept;
   for (const auto& [k, held] : sites) {
     if (held && !feels_free_particle(k, sites, stencil)) continue;
@@ -57,7 +57,7 @@ BodyGrid<dim>::BodyGrid(const v1::Body& body, int index, const Stencil<dim>& ste
 }
 
 template <int dim>
-void BodyGrid<dim>::check(int index) const {
+void BodyGrid<dim>::check(std::size_t index) const {
   const double thickness = (shape_.bounds().max - shape_.bounds().min).minCoeff() / spacing_;
   require(thickness > 1.5, "solid.body.{}: {:.3g} spacings thick, particles need at least 2", index,
           thickness);

@@ -4,9 +4,8 @@
 
 #include <vector>
 
-#include "common/geometry/shape.hpp"
 #include "solid_solver/models/particles/stencil.hpp"
-#include "solid_solver/supports.hpp"
+#include "solid_solver/structure.hpp"
 
 namespace cosurge::particles {
 
@@ -19,7 +18,7 @@ class BodyGrid {
  public:
   /// @param index of the body, for messages
   /// @throws Error for a body without free particles or thinner than two, and for a support without particles
-  BodyGrid(const v1::Body& body, int index, const Stencil<dim>& stencil);
+  BodyGrid(const Body<dim>& body, std::size_t index, const Stencil<dim>& stencil);
 
   const std::vector<Vec<dim>>& positions() const {
     return positions_;
@@ -49,7 +48,7 @@ class BodyGrid {
 
  private:
   SiteIndex<dim> index_of(const Vec<dim>& x) const;
-  void check(int index) const;
+  void check(std::size_t index) const;
   void number_slots(const std::vector<SiteIndex<dim>>& sites, int reach);
 
   double spacing_;

@@ -6,7 +6,7 @@
 namespace cosurge::particles {
 
 template <int dim>
-ParticleBody<dim>::ParticleBody(const v1::Body& body, int index, const Stencil<dim>& stencil,
+ParticleBody<dim>::ParticleBody(const Body<dim>& body, std::size_t index, const Stencil<dim>& stencil,
                                 const Substance<dim>& substance)
     : grid_(body, index, stencil),
       stencil_(stencil),

@@ -25,7 +25,8 @@ struct Substance {
 template <int dim>
 class ParticleBody {
  public:
-  ParticleBody(const v1::Body& body, int index, const Stencil<dim>& stencil, const Substance<dim>& substance);
+  ParticleBody(const Body<dim>& body, std::size_t index, const Stencil<dim>& stencil,
+               const Substance<dim>& substance);
   virtual ~ParticleBody() = default;
 
   const BodyGrid<dim>& grid() const { return grid_; }

@@ -74,24 +74,24 @@ inline double stable_step(double highest, double retardation) {
   return 2 / highest * (std::sqrt(1 + ratio * ratio) - ratio);
 }
 
-/// The model of a case's bodies. `make_body(body, number, stencil, substance)` makes a ParticleBody that
-/// states its highest_frequency() [rad/s]; `parameters` is the model's table in the case, `key` its name:
-/// "solid.mps".
-template <int dim, typename Parameters, typename MakeBody>
-std::unique_ptr<SolidModel> make_particle_model(const v1::Solid& solid, double spacing,
-                                                const Vec<dim>& gravity, const Parameters& parameters,
-                                                const std::string& key, MakeBody&& make_body,
+/// The model of a structure's bodies. `make_body(body, number, stencil, substance)` makes a ParticleBody that
+/// states its highest_frequency() [rad/s]; `key` is the model's table in the case: "solid.mps".
+template <int dim, typename MakeBody>
+std::unique_ptr<SolidModel> make_particle_model(const Structure<dim>& structure,
+                                                const ParticleParameters& parameters, const std::string& key,
+                                                MakeBody&& make_body,
                                                 const std::string& else_runs_away = {}) {
-  const Stencil<dim> stencil = full_stencil<dim>(spacing, parameters.re());
-  const Elasticity material = elasticity_of<dim>(solid);
-  const std::vector<double> damping = damping_rates<dim>(solid);
+  const double spacing = structure.spacing;
+  const Stencil<dim> stencil = full_stencil<dim>(spacing, parameters.re);
+  const Elasticity& material = structure.material;
+  const std::vector<double> damping = damping_rates(structure);
   typename ParticleModel<dim>::Bodies bodies;
-  const double retardation = parameters.viscosity() * spacing / material.pressure_speed();  // (S40)
+  const double retardation = parameters.viscosity * spacing / material.pressure_speed();  // (S40)
   double highest = 0;
-  for (int b = 0; b < solid.body_size(); ++b) {
-    auto body = make_body(solid.body(b), b, stencil,
+  for (std::size_t b = 0; b < structure.bodies.size(); ++b) {
+    auto body = make_body(structure.bodies[b], b, stencil,
                           Substance<dim>{.material = material,
-                                         .gravity = gravity,
+                                         .gravity = structure.gravity,
                                          .damping_rate = damping[b],
                                          .retardation = retardation});
     highest = std::max(highest, body->highest_frequency());
@@ -101,8 +101,8 @@ std::unique_ptr<SolidModel> make_particle_model(const v1::Solid& solid, double s
       std::move(bodies), material, spacing,
       typename ParticleModel<dim>::Steps{.key = key,
                                          .stable = stable_step(highest, retardation),
-                                         .fraction = parameters.step_fraction(),
-                                         .fixed = parameters.substep(),
+                                         .fraction = parameters.step_fraction,
+                                         .fixed = parameters.substep,
                                          .else_runs_away = else_runs_away});
 }
 

@@ -2,20 +2,19 @@
 
 #include "common/error.hpp"
 #include "common/geometry/body_sites.hpp"
-#include "common/geometry/shape.hpp"
 #include "common/state_bytes.hpp"
 
 namespace cosurge {
 
 template <int dim>
-RigidModel<dim>::RigidModel(const v1::Solid& solid, double spacing) {
-  for (const v1::Body& body : solid.body()) {
-    const BodySites<dim> sites(body, spacing);
+RigidModel<dim>::RigidModel(const Structure<dim>& structure) {
+  for (const Body<dim>& body : structure.bodies) {
+    const BodySites<dim> sites(body.shape, structure.spacing);
     for (const Vec<dim>& x : sites.all()) {
       for (int k = 0; k < dim; ++k) positions_.push_back(static_cast<float>(x[k]));
       particle_body_.push_back(static_cast<int>(bodies()));
     }
-    bounds_.push_back(Shape<dim>(shape_of(body)).bounds());
+    bounds_.push_back(body.shape.bounds());
   }
 }
 

@@ -1,8 +1,8 @@
 // The model `rigid`: bodies that are held, all of them.
 #pragma once
 
-#include "common/geometry/lattice.hpp"
 #include "solid_solver/solid_model.hpp"
+#include "solid_solver/structure.hpp"
 
 namespace cosurge {
 
@@ -11,7 +11,7 @@ namespace cosurge {
 template <int dim>
 class RigidModel : public SolidModel {
  public:
-  explicit RigidModel(const v1::Solid& solid, double spacing);
+  explicit RigidModel(const Structure<dim>& structure);
 
   Eigen::Index nodes() const override { return bodies() * per_body; }
   std::uint64_t particles() const override { return positions_.size() / dim; }

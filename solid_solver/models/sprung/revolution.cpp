@@ -11,18 +11,6 @@ namespace {
 constexpr double resolved = 0.05;  // rad of the rotation's oscillation a sub-step: its period is 2e-4 long
 constexpr int most_substeps = 1000;
 
-using Springs = std::array<const v1::Spring*, 3>;
-
-/// Those of the rotations about x, y and z; about z in the plane.
-template <int dim>
-Springs turns_of(const v1::SolidSprung& parameters) {
-  Springs turns = {};
-  for (const v1::Spring& spring : parameters.spring())
-    if (spring.motion() > v1::Spring::z)
-      turns[dim == 2 ? 2 : static_cast<std::size_t>(spring.motion() - v1::Spring::turn_x)] = &spring;
-  return turns;
-}
-
 /// The matrix of e_axis x.
 template <int dim>
 Mat<dim> generator_about(int axis) {
@@ -36,28 +24,26 @@ Mat<dim> generator_about(int axis) {
 }  // namespace
 
 template <int dim>
-Revolution<dim>::Revolution(const v1::SolidSprung& parameters, const Mat<dim>& second, double length)
-    : length_(length) {
-  const Springs turns = turns_of<dim>(parameters);
+Revolution<dim>::Revolution(const Springs& springs, const Mat<dim>& second, double length) : length_(length) {
   if constexpr (dim == 3) {
-    if (std::count(turns.begin(), turns.end(), nullptr) == 0) {
+    if (std::all_of(springs.begin(), springs.end(), [](const auto& spring) { return spring.has_value(); })) {
       space_ = SpaceTurning{.inertia = second.trace() * Mat<3>::Identity() - second};
       for (int k = 0; k < 3; ++k) {
-        space_->stiffness[k] = turns[static_cast<std::size_t>(k)]->stiffness();
-        space_->damping[k] = turns[static_cast<std::size_t>(k)]->damping();
-        space_->preload[k] = turns[static_cast<std::size_t>(k)]->preload();
+        const Spring& spring = *springs[static_cast<std::size_t>(k)];
+        space_->stiffness[k] = spring.stiffness;
+        space_->damping[k] = spring.damping;
+        space_->preload[k] = spring.preload;
       }
       return;
     }
   }
-  for (int axis = 0; axis < 3; ++axis) {
-    const v1::Spring* spring = turns[static_cast<std::size_t>(axis)];
-    if (spring == nullptr) continue;
-    generator_ = generator_about<dim>(axis);
+  for (std::size_t k = 0; k < springs.size(); ++k) {
+    if (!springs[k]) continue;
+    generator_ = generator_about<dim>(dim == 2 ? 2 : static_cast<int>(k));
     single_ = Turning{.inertia = -(generator_ * second * generator_).trace(),
-                      .stiffness = spring->stiffness(),
-                      .damping = spring->damping(),
-                      .preload = spring->preload()};
+                      .stiffness = springs[k]->stiffness,
+                      .damping = springs[k]->damping,
+                      .preload = springs[k]->preload};
   }
 }
 

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "common/state_bytes.hpp"
-#include "proto/case.pb.h"
 #include "solid_solver/models/sprung/space_turning.hpp"
 #include "solid_solver/models/sprung/turning.hpp"
 #include "solid_solver/solid_model.hpp"
+#include "solid_solver/structure.hpp"
 
 namespace cosurge::sprung {
 
@@ -20,10 +20,12 @@ class Revolution {
   static constexpr int nodes = dim + 1;
   using Nodal = Eigen::Matrix<double, dim, nodes>;
 
-  /// @param parameters of a checked case (common/case/spring_rules.hpp)
+  /// Springs of the rotations: in the plane; in space about x, y and z, one of them or all.
+  using Springs = std::array<std::optional<Spring>, dim == 2 ? 1 : 3>;
+
   /// @param second integral of the density times X (x) X from the pivot [kg m2]
   /// @param length of the nodes' arms [m]
-  Revolution(const v1::SolidSprung& parameters, const Mat<dim>& second, double length);
+  Revolution(const Springs& springs, const Mat<dim>& second, double length);
 
   bool is_free() const { return single_ || space_; }
 

@@ -7,25 +7,15 @@
 #include "solid_solver/shape_moments.hpp"
 
 namespace cosurge::sprung {
-namespace {
-
 template <int dim>
-Vec<dim> pivot_of(const v1::SolidSprung& parameters, const ShapeMoments<dim>& moments) {
-  if (parameters.pivot_size() == 0) return moments.centre;
-  return Eigen::Map<const Vec<dim>>(parameters.pivot().data());
-}
-
-}  // namespace
-
-template <int dim>
-SprungBody<dim>::SprungBody(const v1::Body& body, int index, const v1::SolidSprung& parameters,
-                            double density, const Vec<dim>& gravity)
-    : shape_(shape_of(body)), gravity_(gravity) {
+SprungBody<dim>::SprungBody(const Shape<dim>& shape, std::size_t index,
+                            const SprungParameters<dim>& parameters, double density, const Vec<dim>& gravity)
+    : shape_(shape), gravity_(gravity) {
   const ShapeMoments<dim> moments(shape_);
-  pivot_ = pivot_of(parameters, moments);
+  pivot_ = parameters.pivot.value_or(moments.centre);
   arm_to_centre_ = moments.centre - pivot_;
   length_ = (shape_.bounds().max - shape_.bounds().min).maxCoeff();
-  mass_ = parameters.has_mass() ? parameters.mass() : density * moments.volume;
+  mass_ = parameters.mass.value_or(density * moments.volume);
   Eigen::Matrix<double, dim, nodes> slopes =
       Eigen::Matrix<double, dim, nodes>::Zero();  // slopes of the coefficients [1/m]
   slopes.col(0).setConstant(-1 / length_);
@@ -33,16 +23,12 @@ SprungBody<dim>::SprungBody(const v1::Body& body, int index, const v1::SolidSpru
   const Coefficients centre = coefficients(moments.centre);
   nodal_mass_ =
       mass_ * (centre * centre.transpose() + slopes.transpose() * moments.second * slopes / moments.volume);
-  for (const v1::Spring& spring : parameters.spring())
-    if (spring.motion() <= v1::Spring::z)
-      translations_.at(static_cast<std::size_t>(spring.motion())) = {.free = true,
-                                                                     .stiffness = spring.stiffness(),
-                                                                     .damping = spring.damping(),
-                                                                     .preload = spring.preload(),
-                                                                     .state = {}};
+  for (std::size_t k = 0; k < dim; ++k)
+    if (const std::optional<Spring>& spring = parameters.along[k])
+      translations_[k] = {.free = true, .spring = *spring, .state = {}};
   const Mat<dim> second =
       mass_ * (moments.second / moments.volume + arm_to_centre_ * arm_to_centre_.transpose());
-  turning_.emplace(parameters, second, length_);
+  turning_.emplace(parameters.turn, second, length_);
   const bool moves =
       std::any_of(translations_.begin(), translations_.end(), [](const auto& t) { return t.free; });
   require(
@@ -73,8 +59,8 @@ int SprungBody<dim>::advance(double window, const Nodal& first, const Nodal& las
   for (int k = 0; k < dim; ++k) {
     Translation& t = translations_[static_cast<std::size_t>(k)];
     if (!t.free) continue;
-    const double steady = t.preload / mass_ + gravity_[k];
-    OscillatorStep(t.stiffness / mass_, t.damping / mass_, window)
+    const double steady = t.spring.preload / mass_ + gravity_[k];
+    OscillatorStep(t.spring.stiffness / mass_, t.spring.damping / mass_, window)
         .advance(t.state, first.row(k).sum() / mass_ + steady, last.row(k).sum() / mass_ + steady);
     ramp_increment_.row(k).setConstant(t.state.ramp_increment);
   }
@@ -89,7 +75,7 @@ std::vector<NodalMode> SprungBody<dim>::modes() const {
     if (!translation.free) continue;
     Field shape = Field::Zero(dim, nodes);
     shape.row(k).setOnes();
-    all.push_back({.shape = shape, .mass = mass_, .omega_squared = translation.stiffness / mass_});
+    all.push_back({.shape = shape, .mass = mass_, .omega_squared = translation.spring.stiffness / mass_});
   }
   for (NodalMode& mode : turning_->modes()) all.push_back(std::move(mode));
   return all;
@@ -115,7 +101,8 @@ Energies SprungBody<dim>::energies() const {
   Energies sum;
   for (const Translation& t : translations_) {
     sum.kinetic += 0.5 * mass_ * t.state.velocity * t.state.velocity;
-    sum.elastic += 0.5 * t.stiffness * t.state.position * t.state.position - t.preload * t.state.position;
+    sum.elastic +=
+        0.5 * t.spring.stiffness * t.state.position * t.state.position - t.spring.preload * t.state.position;
   }
   sum.kinetic += turning_->kinetic_energy();
   sum.elastic += turning_->spring_energy();

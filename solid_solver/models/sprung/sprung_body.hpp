@@ -4,7 +4,6 @@
 #include <array>
 #include <optional>
 
-#include "common/geometry/shape.hpp"
 #include "common/state_bytes.hpp"
 #include "solid_solver/models/sprung/revolution.hpp"
 #include "solid_solver/oscillator.hpp"
@@ -23,9 +22,9 @@ class SprungBody {
   using Nodal = Eigen::Matrix<double, dim, nodes>;
   using Coefficients = Eigen::Matrix<double, nodes, 1>;
 
-  /// @param index of the body, for messages; `parameters` of a checked case (common/case/spring_rules.hpp)
-  SprungBody(const v1::Body& body, int index, const v1::SolidSprung& parameters, double density,
-             const Vec<dim>& gravity);
+  /// @param index of the body, for messages
+  SprungBody(const Shape<dim>& shape, std::size_t index, const SprungParameters<dim>& parameters,
+             double density, const Vec<dim>& gravity);
 
   /// The point's motion is the sum of the nodes' with these coefficients.
   Coefficients coefficients(const Vec<dim>& x) const;
@@ -55,7 +54,7 @@ class SprungBody {
  private:
   struct Translation {
     bool free = false;
-    double stiffness = 0, damping = 0, preload = 0;
+    Spring spring = {.stiffness = 0, .damping = 0, .preload = 0};
     OscillatorState state;
   };
 

@@ -9,14 +9,13 @@
 namespace cosurge::sprung {
 
 template <int dim>
-SprungModel<dim>::SprungModel(const v1::Solid& solid, double spacing, const Vec<dim>& gravity) {
-  for (int b = 0; b < solid.body_size(); ++b) {
-    bodies_.emplace_back(solid.body(b), b, solid.sprung(), solid.density(), gravity);
-    const BodySites<dim> sites(solid.body(b), spacing);
+SprungModel<dim>::SprungModel(const Structure<dim>& structure, const SprungParameters<dim>& parameters) {
+  for (std::size_t b = 0; b < structure.bodies.size(); ++b) {
+    const Shape<dim>& shape = structure.bodies[b].shape;
+    bodies_.emplace_back(shape, b, parameters, structure.material.density, structure.gravity);
+    const BodySites<dim> sites(shape, structure.spacing);
     for (const Vec<dim>& x : sites.all())
-      sites_.push_back({.body = static_cast<std::size_t>(b),
-                        .position = x,
-                        .coefficients = bodies_.back().coefficients(x)});
+      sites_.push_back({.body = b, .position = x, .coefficients = bodies_.back().coefficients(x)});
   }
 }
 

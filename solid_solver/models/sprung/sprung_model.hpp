@@ -9,9 +9,8 @@ namespace cosurge::sprung {
 template <int dim>
 class SprungModel : public SolidModel {
  public:
-  /// @param spacing of the particles of frames [m]
   /// @throws Error for a pivot beside the centre of mass of a body that may move along an axis, too.
-  SprungModel(const v1::Solid& solid, double spacing, const Vec<dim>& gravity);
+  SprungModel(const Structure<dim>& structure, const SprungParameters<dim>& parameters);
 
   Eigen::Index nodes() const override { return static_cast<Eigen::Index>(bodies_.size()) * per_body; }
   std::uint64_t particles() const override { return sites_.size(); }

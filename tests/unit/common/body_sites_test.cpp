@@ -9,21 +9,15 @@ namespace {
 
 constexpr double l0 = 0.01;
 
-v1::Body body_of(const v1::Shape& shape) {
-  v1::Body body;
-  *body.mutable_shape() = shape;
-  return body;
-}
-
 TEST(BodySites, ABoxAndThePolygonOfItsCornersHaveTheSame) {
-  const BodySites<2> of_box(body_of(test::box({0.1, 0.2}, {0.14, 0.27})), l0),
-      of_polygon(body_of(test::turned_box({0.1, 0.2}, {0.14, 0.27}, 0)), l0);
+  const BodySites<2> of_box(from_case<2>(test::box({0.1, 0.2}, {0.14, 0.27})), l0),
+      of_polygon(from_case<2>(test::turned_box({0.1, 0.2}, {0.14, 0.27}, 0)), l0);
   ASSERT_EQ(of_box.all().size(), 28u);
   EXPECT_EQ(of_box.all(), of_polygon.all());
 }
 
 TEST(BodySites, AtASharpTipEverySiteIsOneOfABlock) {
-  const BodySites<2> sites(body_of(test::outline<2>({{0, 0}, {1, 0}, {0, 0.2}})), l0);
+  const BodySites<2> sites(from_case<2>(test::outline<2>({{0, 0}, {1, 0}, {0, 0.2}})), l0);
   const auto count = static_cast<double>(sites.all().size());
   // The slope of 1 in 5 leaves out part of the top row of each column, and at the tip the last row.
   EXPECT_NEAR(count * l0 * l0, 0.1, 0.0105);
@@ -41,7 +35,7 @@ TEST(BodySites, AtASharpTipEverySiteIsOneOfABlock) {
 TEST(BodySites, CountTheVolumeOfATetrahedron) {
   double error = 1;
   for (const double spacing : {0.1, 0.05, 0.025}) {
-    const BodySites<3> sites(body_of(test::tetrahedron(1, {0.2, 0.3, 0.1})), spacing);
+    const BodySites<3> sites(from_case<3>(test::tetrahedron(1, {0.2, 0.3, 0.1})), spacing);
     const double volume = static_cast<double>(sites.all().size()) * std::pow(spacing, 3);
     const double now = std::abs(volume * 6 - 1);
     EXPECT_LT(now, 0.75 * error);  // surface times spacing over volume: first order
@@ -53,24 +47,24 @@ TEST(BodySites, CountTheVolumeOfATetrahedron) {
 
 TEST(BodySites, ANeckThinnerThanABlockParts) {
   // Two squares of 5 sites joined by a strip of one.
-  const v1::Body dumbbell = body_of(test::outline<2>({{0, 0},
-                                                      {0.05, 0},
-                                                      {0.05, 0.02},
-                                                      {0.1, 0.02},
-                                                      {0.1, 0},
-                                                      {0.15, 0},
-                                                      {0.15, 0.05},
-                                                      {0.1, 0.05},
-                                                      {0.1, 0.03},
-                                                      {0.05, 0.03},
-                                                      {0.05, 0.05},
-                                                      {0, 0.05}}));
+  const auto dumbbell = from_case<2>(test::outline<2>({{0, 0},
+                                                       {0.05, 0},
+                                                       {0.05, 0.02},
+                                                       {0.1, 0.02},
+                                                       {0.1, 0},
+                                                       {0.15, 0},
+                                                       {0.15, 0.05},
+                                                       {0.1, 0.05},
+                                                       {0.1, 0.03},
+                                                       {0.05, 0.03},
+                                                       {0.05, 0.05},
+                                                       {0, 0.05}}));
   EXPECT_EQ(BodySites<2>(dumbbell, l0).parts(), 2);
   EXPECT_EQ(BodySites<2>(dumbbell, 0.005).parts(), 1);
 }
 
 TEST(Shape, TheNearestPointOfATetrahedronLiesOnAFaceAnEdgeOrACorner) {
-  const Shape<3> shape(test::tetrahedron(1, {0, 0, 0}));
+  const auto shape = from_case<3>(test::tetrahedron(1, {0, 0, 0}));
   EXPECT_LT((shape.nearest({0.2, 0.3, -0.1}) - Vec<3>(0.2, 0.3, 0)).norm(), 1e-15);
   EXPECT_LT((shape.nearest({0.4, -0.1, -0.1}) - Vec<3>(0.4, 0, 0)).norm(), 1e-15);
   EXPECT_LT((shape.nearest({-1, -1, -1}) - Vec<3>(0, 0, 0)).norm(), 1e-15);

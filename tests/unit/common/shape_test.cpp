@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "common/case/from_case.hpp"
 #include "tests/support/case_text.hpp"
 
 namespace cosurge::testing {
@@ -29,7 +30,7 @@ v1::Shape octahedron(double c, double r) {
 
 TEST(Shape, APolygonHoldsTheSitesInsideAndAsManyAsItsAreaSays) {
   // An L of 0.4 x 0.4 without a quarter: area 0.12. The lattice fits its sides.
-  const Shape<2> shape(outline({0, 0, 0.4, 0, 0.4, 0.2, 0.2, 0.2, 0.2, 0.4, 0, 0.4}));
+  const auto shape = from_case<2>(outline({0, 0, 0.4, 0, 0.4, 0.2, 0.2, 0.2, 0.2, 0.4, 0, 0.4}));
   const auto sites = shape.fill(0.01);
   EXPECT_EQ(sites.size(), 1200);
   for (const Vec<2>& x : sites) EXPECT_FALSE(x[0] > 0.2 && x[1] > 0.2) << x.transpose();
@@ -39,14 +40,14 @@ TEST(Shape, APolygonHoldsTheSitesInsideAndAsManyAsItsAreaSays) {
 }
 
 TEST(Shape, TheOrderOfThePolygonsCornersDoesNotMatter) {
-  const Shape<2> shape(outline({0, 0.4, 0.2, 0.4, 0.2, 0.2, 0.4, 0.2, 0.4, 0, 0, 0}));
+  const auto shape = from_case<2>(outline({0, 0.4, 0.2, 0.4, 0.2, 0.2, 0.4, 0.2, 0.4, 0, 0, 0}));
   EXPECT_EQ(shape.fill(0.01).size(), 1200);
 }
 
 TEST(Shape, ABodyOfTrianglesHoldsWhatItsInequalitySays) {
   // The centre is a site, so that the rays meet corners and edges.
   const double c = 0.505, r = 0.3;
-  const Shape<3> shape(octahedron(c, r));
+  const auto shape = from_case<3>(octahedron(c, r));
   int inside = 0;
   for (const Vec<3>& x : fill(Box<3>(Vec<3>::Zero(), Vec<3>::Ones()), 0.02)) {
     const double distance = (x.array() - c).abs().sum();
@@ -130,7 +131,7 @@ water = [{ outline = "shape.stl" }]
 )";
     const v1::Case c = load_case(folder.path().string());
     ASSERT_EQ(c.fluid().water(0).vertex_size(), 36) << binary;
-    const auto sites = Shape<3>(c.fluid().water(0)).fill(0.05);
+    const auto sites = from_case<3>(c.fluid().water(0)).fill(0.05);
     // x + y + z < 1 on the sites (k + 1/2) / 20: the sum of the three k is at most 18.
     EXPECT_EQ(sites.size(), 19 * 20 * 21 / 6) << binary;
   }

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <fstream>
 
+#include "common/case/from_case.hpp"
 #include "common/error.hpp"
 #include "common/geometry/shape.hpp"
 #include "tests/support/case_text.hpp"
@@ -145,7 +146,7 @@ obstacle = [{{ shape = {{ outline = "shape.stl"{}{} }} }}]
   std::string errors() const { return errors_of(folder.path().string()); }
 
   std::size_t sites() const {
-    return Shape<3>(load_case(folder.path().string()).fluid().obstacle(0).shape()).fill(0.02).size();
+    return from_case<3>(load_case(folder.path().string()).fluid().obstacle(0).shape()).fill(0.02).size();
   }
 
   testing::ScratchFolder folder;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "common/case/from_case.hpp"
 #include "fluid_solver/bodies.hpp"
 #include "tests/support/water.hpp"
 
@@ -26,7 +27,7 @@ struct Scene {
     *fluid.mutable_tank() = test::box_of({0, 0}, {0.1, 0.1});
     walls = std::make_unique<Walls<2>>(fluid, 3);
     walls->add_to(particles);
-    const Bodies<2> bodies(test::solid_of(box), Box<2>(fluid.tank()), l0);
+    const Bodies<2> bodies(test::solid_of(box), from_case<2>(fluid.tank()), l0);
     for (int k = 0; k < bodies.points(); ++k) {
       particles.add(bodies.wet(k) ? Kind::body_surface : Kind::body_inner, bodies.position(k) + shift);
       particles.u.back() = {1, 2};

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "common/case/from_case.hpp"
 #include "fluid_solver/reference_values.hpp"
 #include "fluid_solver/weight.hpp"
 #include "tests/support/wall_layouts.hpp"
@@ -20,7 +21,7 @@ constexpr int dummies = 3;
 
 template <int dim>
 std::vector<WallSite<dim>> layout_of(const v1::Shape& outline) {
-  return fitted_layout<dim>(Shape<dim>(outline), std::nullopt, dummies, l0);
+  return fitted_layout<dim>(from_case<dim>(outline), std::nullopt, dummies, l0);
 }
 
 template <int dim>
@@ -67,7 +68,7 @@ TEST(FittedLayout, FacesOnLatticePlanesKeepTheLattice) {
 /// Depths and distances of the particles of a turned box.
 template <int dim>
 void check_faces(const v1::Shape& outline, const std::string& which) {
-  const Shape<dim> shape(outline);
+  const auto shape = from_case<dim>(outline);
   const auto sites = layout_of<dim>(outline);
   const auto walls = test::of_kind(sites, Kind::wall), inner = test::of_kind(sites, Kind::dummy);
   double shallow = 1, deep = 0, nearest = 9, farthest = 0, gap_low = 9, gap_high = 0;
@@ -142,7 +143,7 @@ TEST(FittedLayout, AFaceLooksTheSameAllAlongFromTheWater) {
 /// All wall particles of a round body at their depth, as many as its surface there has room for.
 template <int dim>
 void check_round(const v1::Shape& outline, double surface, const std::string& which) {
-  const Shape<dim> shape(outline);
+  const auto shape = from_case<dim>(outline);
   const auto sites = layout_of<dim>(outline);
   const auto walls = test::of_kind(sites, Kind::wall);
   double nearest = 9, farthest = 0;
@@ -171,7 +172,7 @@ TEST(FittedLayout, RoundBodiesHaveEvenLayers) {
 /// Distance of the farthest point of the first layer's surface from a particle.
 template <int dim>
 double largest_hole(const v1::Shape& outline) {
-  const Shape<dim> shape(outline);
+  const auto shape = from_case<dim>(outline);
   std::vector<Vec<dim>> particles;
   for (const auto& site : layout_of<dim>(outline)) particles.push_back(site.x);
   double largest = 0;
@@ -229,7 +230,7 @@ TEST(FittedLayout, AThinPlateIsFilled) {
 TEST(FittedLayout, OverlappingPartsKeepTheLattice) {
   std::vector<Vec<3>> corners = test::triangles_of_box({0, 0, 0}, {0.083, 0.1, 0.1});
   for (const Vec<3>& x : test::triangles_of_box({0.043, 0.02, 0.02}, {0.2, 0.08, 0.08})) corners.push_back(x);
-  const Shape<3> shape(test::outline_of<3>(corners));
+  const auto shape = from_case<3>(test::outline_of<3>(corners));
   EXPECT_EQ(layout_of<3>(test::outline_of<3>(corners)).size(), shape.fill(l0).size());
 }
 

@@ -5,6 +5,7 @@
 
 #include <numeric>
 
+#include "common/case/from_case.hpp"
 #include "tests/support/outlines.hpp"
 #include "tests/support/water.hpp"
 
@@ -31,11 +32,11 @@ double volume(const std::vector<FacePiece<dim>>& pieces) {
 TEST(FacePieces, CloseAroundAShapeAndFaceOutwardsWhateverTheOrderOfItsCorners) {
   const std::vector<Vec<2>> corners = {{0.1, 0.1}, {0.3, 0.15}, {0.2, 0.3}};
   for (const auto& order : {corners, std::vector<Vec<2>>(corners.rbegin(), corners.rend())}) {
-    const auto pieces = pieces_of(Shape<2>(cosurge::test::outline<2>(order)), 0.005);
+    const auto pieces = pieces_of(from_case<2>(cosurge::test::outline<2>(order)), 0.005);
     EXPECT_LT(total_area(pieces).norm(), 1e-12);
     EXPECT_NEAR(volume(pieces), 0.0175, 1e-12);
   }
-  const auto box = pieces_of(Shape<3>(shape_of(test::box_of({0, 0, 0}, {0.1, 0.2, 0.3}))), 0.02);
+  const auto box = pieces_of(from_case<3>(shape_of(test::box_of({0, 0, 0}, {0.1, 0.2, 0.3}))), 0.02);
   EXPECT_LT(total_area(box).norm(), 1e-12);
   EXPECT_NEAR(volume(box), 0.006, 1e-12);
   for (const auto& piece : box) EXPECT_LE(piece.area.norm(), 0.5 * 0.02 * 0.02);
@@ -46,7 +47,7 @@ TEST(FacePieces, LeaveOutWhatLiesInsideAnotherPartOfTheOutline) {
   v1::Shape both = cosurge::test::extruded({{0, 0}, {0.2, 0}, {0.2, 0.1}, {0, 0.1}}, 0.1);
   const v1::Shape other = cosurge::test::extruded({{0.1, 0.02}, {0.3, 0.02}, {0.3, 0.08}, {0.1, 0.08}}, 0.1);
   both.mutable_vertex()->MergeFrom(other.vertex());
-  const auto pieces = pieces_of(Shape<3>(both), 0.002);
+  const auto pieces = pieces_of(from_case<3>(both), 0.002);
   const double exact = 0.2 * 0.1 * 0.1 + 0.1 * 0.06 * 0.1;
   EXPECT_NEAR(volume(pieces), exact, 0.01 * exact);  // pieces that the intersection cuts count whole or not
 }

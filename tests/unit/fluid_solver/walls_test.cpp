@@ -6,6 +6,7 @@
 #include <numbers>
 #include <set>
 
+#include "common/case/from_case.hpp"
 #include "common/error.hpp"
 #include "fluid_solver/gauges.hpp"
 #include "fluid_solver/water_level.hpp"
@@ -36,7 +37,7 @@ v1::WallMotion table() {
 }
 
 TEST(Motion, FollowsItsFormula) {
-  const Motion<2> motion(formula());
+  const auto motion = from_case<2>(formula());
   const Vec<2> X(0.15, 0.2);
   EXPECT_LT((motion.place(X, 0) - X).norm(), 1e-15);
   const double t = 0.11;
@@ -50,7 +51,7 @@ TEST(Motion, FollowsItsFormula) {
 TEST(Motion, ARampStartsItWithoutAJump) {
   v1::WallMotion ramped = formula();
   ramped.set_ramp(0.2);
-  const Motion<2> motion(ramped);
+  const auto motion = from_case<2>(ramped);
   const Vec<2> X(0.15, 0.2);
   constexpr double dt = 1e-6;
   EXPECT_LT((motion.place(X, dt) - X).norm() / dt, 1e-4);  // the speed is about 0.4 m/s
@@ -58,7 +59,7 @@ TEST(Motion, ARampStartsItWithoutAJump) {
 }
 
 TEST(Motion, ATableIsMetAtItsRowsAndBetweenThemToThirdOrder) {
-  const Motion<2> motion(table());
+  const auto motion = from_case<2>(table());
   for (const double t : {0.0, 0.05, 0.5, 1.0}) EXPECT_NEAR(motion.place({0, 0}, t)[0], std::sin(t), 1e-14);
   // Cubic with slopes from differences, rows 0.05 s apart: h^3 / 6 in a slope, h / 4 of it in between.
   EXPECT_NEAR(motion.place({0, 0}, 0.525)[0], std::sin(0.525), 1e-5);
@@ -74,7 +75,7 @@ v1::WallMotion table_of_x(const std::vector<std::pair<double, double>>& rows) {
   return motion;
 }
 
-double x_at(const v1::WallMotion& motion, double t) { return Motion<2>(motion).place({0, 0}, t)[0]; }
+double x_at(const v1::WallMotion& motion, double t) { return from_case<2>(motion).place({0, 0}, t)[0]; }
 
 TEST(Motion, RestsOfATableStayAtRestAndNothingOvershoots) {
   const v1::WallMotion stroke = table_of_x({{0, 0}, {1, 0}, {1.1, 0.1}, {2, 0.1}});
@@ -145,14 +146,14 @@ TEST(Motion, OfATableThatBeganEarlierCountsFromTheStartOfTheRun) {
 
 TEST(Motion, OriginUndoesPlace) {
   for (const v1::WallMotion& m : {formula(), table()}) {
-    const Motion<2> motion(m);
+    const auto motion = from_case<2>(m);
     const Vec<2> X(0.15, 0.2);
     EXPECT_LT((motion.origin(motion.place(X, 0.33), 0.33) - X).norm(), 1e-15);
   }
 }
 
 TEST(Motion, TheSweepHoldsEveryPlace) {
-  const Motion<2> motion(formula());
+  const auto motion = from_case<2>(formula());
   const Box<2> swept = motion.sweep({{0, 0}, {0.3, 0.3}});
   const Vec<2> rounding = Vec<2>::Constant(1e-3);  // samples: 64 a period
   for (double t = 0; t < 1; t += 0.01)
@@ -312,7 +313,7 @@ TEST(Walls, MoveAsTheyAreToldWithTheirMeanVelocity) {
   constexpr double dt = 0.01;
   walls.move(particles, 0.2, dt);
   double fastest = 0;
-  const Motion<2> path(motion);
+  const auto path = from_case<2>(motion);
   for (int i = 0; i < particles.size(); ++i) {
     const bool obstacle = walls.covers(rest.x[i]);
     const Vec<2> there = obstacle ? path.place(rest.x[i], 0.2) : rest.x[i];
@@ -354,7 +355,7 @@ TEST(Walls, WaterInAnAcceleratedTankLeansAsMuchAsItMust) {
   fluid.set_source(v1::Fluid::mixed);
   fluid.set_gradient(v1::Fluid::conserving);
   *fluid.mutable_tank_motion() = acceleration(a, end);
-  const Motion<2> tank(fluid.tank_motion());
+  const auto tank = from_case<2>(fluid.tank_motion());
   Mps<2> mps(fluid, nullptr, {0, -g});
   constexpr double dt = 1e-3;
   double difference = 0;
@@ -399,7 +400,7 @@ TEST(Walls, ObstaclesMoveWithTheTankUnlessTheySayOtherwise) {
   *obstacle.mutable_shape() = shape_of(test::box_of({0.3, 0}, {0.4, 0.2}));  // it stands on the floor
   const Vec<2> X(0.305, 0.105);
   const Vec<2> with_tank = carried(fluid, X, 0.2);
-  EXPECT_LT((with_tank - Motion<2>(tank).place(X, 0.2)).norm(), 1e-14);
+  EXPECT_LT((with_tank - from_case<2>(tank).place(X, 0.2)).norm(), 1e-14);
   EXPECT_GT((with_tank - X).norm(), 0.02);
   // Above the floor, which moves.
   *obstacle.mutable_shape() = shape_of(test::box_of({0.3, 0.15}, {0.4, 0.25}));

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/solid_cases.hpp"
+#include "tests/support/structures.hpp"
 
 namespace cosurge::particles {
 namespace {
@@ -10,7 +11,8 @@ namespace {
 using test::l0;
 
 BodyGrid<2> clamped_plate() {
-  return {test::plate({.columns = 12, .rows = 80}).solid().body(0), 0, full_stencil<2>(l0, 2.1)};
+  return {test::body_of<2>(test::plate({.columns = 12, .rows = 80}).solid().body(0)), 0,
+          full_stencil<2>(l0, 2.1)};
 }
 
 TEST(BodyGrid, KeepsOfAClampOnlyWhatFreeParticlesFeel) {

@@ -7,11 +7,13 @@
 #include <numbers>
 
 #include "common/case/carriers.hpp"
+#include "common/case/from_case.hpp"
 #include "common/error.hpp"
 #include "common/geometry/motion.hpp"
 #include "solid_solver/models/make_model.hpp"
 #include "tests/support/contact_scene.hpp"
 #include "tests/support/rolling_tank.hpp"
+#include "tests/support/structures.hpp"
 
 namespace cosurge {
 namespace {
@@ -23,7 +25,14 @@ using test::rolling_tank;
 
 constexpr double dt = test::rolling_window;
 
-std::unique_ptr<SolidModel> make(const v1::Case& c) { return with_carriers(make_model(c), c); }
+template <int dim>
+std::unique_ptr<SolidModel> carried(const Structure<dim>& structure) {
+  return with_carriers(make_model(structure), structure);
+}
+
+std::unique_ptr<SolidModel> make(const v1::Case& c) {
+  return c.dimension() == 2 ? carried(structure_from_case<2>(c)) : carried(structure_from_case<3>(c));
+}
 
 NodalLoad none(const SolidModel& model, int dim) {
   return {.first = Field::Zero(dim, model.nodes()), .last = Field::Zero(dim, model.nodes())};
@@ -32,7 +41,7 @@ NodalLoad none(const SolidModel& model, int dim) {
 /// Farthest that a node is from where the tank would carry it [m].
 template <int dim>
 double strayed(const SolidModel& model, const v1::WallMotion& motion, double t) {
-  const Motion<dim> tank(motion);
+  const auto tank = from_case<dim>(motion);
   const NodeLayout layout = model.layout();
   const Field moved = model.displacement();
   double farthest = 0;
@@ -159,7 +168,7 @@ TEST(CarriedBody, GoesWithTheObstacleThatItsClampsLieIn) {
   *c.mutable_solid()->mutable_body(0)->add_clamp() = test::box({0.28, 0.12}, {0.32, 0.16});
   EXPECT_THROW(static_cast<void>(motion_of(c, c.solid().body(0))), Error);
   c.mutable_solid()->mutable_body(0)->mutable_motion();
-  EXPECT_FALSE(Motion<2>(motion_of(c, c.solid().body(0))).moves());
+  EXPECT_FALSE(from_case<2>(motion_of(c, c.solid().body(0))).moves());
 }
 
 TEST(CarriedBody, WhatNothingHoldsOrMovesIsLeftAlone) {

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "tests/support/solid_cases.hpp"
+#include "tests/support/structures.hpp"
 
 namespace cosurge::particles {
 namespace {
@@ -20,7 +21,7 @@ struct Notched {
   static BodyGrid<dim> grid() {
     v1::Body body;
     test::set_box(*body.mutable_box(), std::vector<double>(dim, 3 * l0), std::vector<double>(dim, 10 * l0));
-    return {body, 0, full_stencil<dim>(l0, 2.1)};
+    return {test::body_of<dim>(body), 0, full_stencil<dim>(l0, 2.1)};
   }
 
   BodyGrid<dim> particles = grid();

@@ -9,6 +9,7 @@
 #include "solid_solver/models/fem/mesh.hpp"
 #include "solid_solver/shape_moments.hpp"
 #include "tests/support/outlines.hpp"
+#include "tests/support/structures.hpp"
 
 namespace cosurge::fem {
 namespace {
@@ -23,33 +24,33 @@ v1::Shape column(double radius, double height) {
   return test::extruded(corners, height);
 }
 
-v1::Body body_of(const v1::Shape& shape) {
+Body<3> body_of(const v1::Shape& shape) {
   v1::Body body;
   *body.mutable_shape() = shape;
-  return body;
+  return test::body_of<3>(body);
 }
 
 TEST(ChosenGrid, AnOutlineInSpaceGetsSome250Elements) {
   const Mesh<3> mesh(body_of(column(0.02, 0.1)), 0, 0);
   EXPECT_GE(mesh.elements(), 150);
   EXPECT_LE(mesh.elements(), 500);  // a third of 2 volume / surface makes more than a thousand
-  EXPECT_GT(FittedGrid<3>(Shape<3>(column(0.02, 0.1)), 0, 0).node.size(), 800U);
+  EXPECT_GT(FittedGrid<3>(from_case<3>(column(0.02, 0.1)), 0, 0).node.size(), 800U);
 }
 
 TEST(ChosenGrid, TakesShorterElementsWhereTheOutlineAsksForThem) {
   // An angle of thin legs: 250 cubes are nearly twice as thick as these, and cannot be fitted to them.
   const double t = 0.002, l = 0.03;
-  const Shape<3> angle(test::extruded({{0, 0}, {l, 0}, {l, t}, {t, t}, {t, l}, {0, l}}, 0.4, 3));
+  const auto angle = from_case<3>(test::extruded({{0, 0}, {l, 0}, {l, t}, {t, t}, {t, l}, {0, l}}, 0.4, 3));
   EXPECT_THROW(FittedGrid<3>(angle, std::cbrt(ShapeMoments<3>(angle).volume / 250), 0), Error);
   EXPECT_GT(chosen_grid(angle, 0, 0).node.size(), 250U);
 }
 
 TEST(ChosenGrid, BoxesPolygonsAndGivenSidesAreAsBefore) {
-  const Shape<2> disk(test::disk({0, 0}, 1));
+  const auto disk = from_case<2>(test::disk({0, 0}, 1));
   EXPECT_EQ(chosen_grid(disk, 0, 0).node, FittedGrid<2>(disk, 0, 0).node);
-  const Shape<3> box(test::box({0, 0, 0}, {0.1, 0.02, 0.3}));
+  const auto box = from_case<3>(test::box({0, 0, 0}, {0.1, 0.02, 0.3}));
   EXPECT_EQ(chosen_grid(box, 0, 0).node, FittedGrid<3>(box, 0, 0).node);
-  const Shape<3> round(column(0.02, 0.1));
+  const auto round = from_case<3>(column(0.02, 0.1));
   EXPECT_EQ(chosen_grid(round, 0.01, 0).node, FittedGrid<3>(round, 0.01, 0).node);
 }
 

@@ -8,6 +8,7 @@
 
 #include "common/error.hpp"
 #include "tests/support/solid_cases.hpp"
+#include "tests/support/structures.hpp"
 
 namespace cosurge::fem {
 namespace {
@@ -19,7 +20,7 @@ constexpr double element = 0.004;
 
 FemBody<2> block(bool clamped) {
   const v1::Case c = test::plate({.columns = 12, .rows = 20, .clamped = clamped});
-  return FemBody<2>(c.solid().body(0), 0, element, rubber, Vec<2>(0, -9.81));
+  return FemBody<2>(test::body_of<2>(c.solid().body(0)), 0, element, rubber, Vec<2>(0, -9.81));
 }
 
 /// The motion x = F X of all nodes.
@@ -45,28 +46,28 @@ Mat<2> stretch_and_shear() {
 
 TEST(Mesh, ElementsAreNoLongerThanAsked) {
   const v1::Case c = test::plate({});
-  const Mesh<2> third(c.solid().body(0), 0, 0);  // 4 mm, a third of 12
+  const Mesh<2> third(test::body_of<2>(c.solid().body(0)), 0, 0);  // 4 mm, a third of 12
   EXPECT_EQ(third.elements(), 3 * 20);
   EXPECT_EQ(third.nodes(), 7 * 41);
-  EXPECT_EQ(Mesh<2>(c.solid().body(0), 0, 0.006).elements(), 2 * 14);
-  EXPECT_EQ(Mesh<2>(c.solid().body(0), 0, 0.0039).elements(), 4 * 21);
-  EXPECT_EQ(Mesh<2>(c.solid().body(0), 0, 1).elements(), 1);
-  EXPECT_THROW(Mesh<2>(c.solid().body(0), 0, 1e-6), Error);
+  EXPECT_EQ(Mesh<2>(test::body_of<2>(c.solid().body(0)), 0, 0.006).elements(), 2 * 14);
+  EXPECT_EQ(Mesh<2>(test::body_of<2>(c.solid().body(0)), 0, 0.0039).elements(), 4 * 21);
+  EXPECT_EQ(Mesh<2>(test::body_of<2>(c.solid().body(0)), 0, 1).elements(), 1);
+  EXPECT_THROW(Mesh<2>(test::body_of<2>(c.solid().body(0)), 0, 1e-6), Error);
 }
 
 TEST(Mesh, NodesOnTheClampsFaceAreHeld) {
   v1::Case c = test::plate({});
   v1::Body& body = *c.mutable_solid()->mutable_body(0);
-  const Mesh<2> mesh(body, 0, 0);
+  const Mesh<2> mesh(test::body_of<2>(body), 0, 0);
   for (Eigen::Index n = 0; n < mesh.nodes(); ++n)
     EXPECT_EQ(mesh.held(n)[0] && mesh.held(n)[1], mesh.position()(1, n) == 0);
   EXPECT_TRUE(mesh.only_in_clamp(Vec<2>(0.006, -0.001)));
   EXPECT_FALSE(mesh.only_in_clamp(Vec<2>(0.006, 0.001)));
   EXPECT_FALSE(mesh.only_in_clamp(Vec<2>(0.013, 0.001)));
   body.mutable_clamp(0)->set_max(1, 0.081);
-  EXPECT_THROW(Mesh<2>(body, 0, 0), Error);  // all held
+  EXPECT_THROW(Mesh<2>(test::body_of<2>(body), 0, 0), Error);  // all held
   test::set_box(*body.mutable_clamp(0), {0.0001, -0.01}, {0.0002, 0});
-  EXPECT_THROW(Mesh<2>(body, 0, 0), Error);  // between two nodes
+  EXPECT_THROW(Mesh<2>(test::body_of<2>(body), 0, 0), Error);  // between two nodes
 }
 
 TEST(FemBody, AffineMotionHasConstantStressAndNoForceInside) {
@@ -133,7 +134,7 @@ double sag(double poisson_ratio, int elements) {
     sides.add_along(v1::Axis::z);
   }
   const Elasticity material{.density = 2500, .young_modulus = 1e6, .poisson_ratio = poisson_ratio};
-  const FemBody<dim> plate(body, 0, 0.012 / elements, material, Vec<dim>::Unit(0));
+  const FemBody<dim> plate(test::body_of<dim>(body), 0, 0.012 / elements, material, Vec<dim>::Unit(0));
   const Eigen::SimplicialLDLT<Matrix> solver(plate.tangent(Vector::Zero(plate.unknowns())));
   const Vector u = solver.solve(plate.weight());
   return plate.to_nodes(u).row(0).maxCoeff();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tests/support/loaded_solid.hpp"
+#include "tests/support/structures.hpp"
 
 namespace cosurge::fem {
 namespace {
@@ -170,7 +171,11 @@ FemBody<dim> bar(const Vec<dim>& gravity) {
   std::vector<double> low(dim, 0.3), high(dim, 0.36);
   high[0] = 0.6;
   test::set_box(*body.mutable_box(), low, high);
-  return {body, 0, 0.03, {.density = 2700, .young_modulus = 5e7, .poisson_ratio = 0.3}, gravity};
+  return {test::body_of<dim>(body),
+          0,
+          0.03,
+          {.density = 2700, .young_modulus = 5e7, .poisson_ratio = 0.3},
+          gravity};
 }
 
 template <int dim>

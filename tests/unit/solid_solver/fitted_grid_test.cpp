@@ -7,6 +7,7 @@
 #include <bit>
 #include <numbers>
 
+#include "common/case/from_case.hpp"
 #include "common/error.hpp"
 #include "solid_solver/shape_moments.hpp"
 #include "tests/support/outlines.hpp"
@@ -50,7 +51,7 @@ double least_jacobian(const FittedGrid<dim>& grid) {
 
 template <int dim>
 double relative_error(const v1::Shape& outline, double longest, double* jacobian = nullptr) {
-  const Shape<dim> shape(outline);
+  const auto shape = from_case<dim>(outline);
   const FittedGrid<dim> grid(shape, longest, 0);
   if (jacobian != nullptr) *jacobian = least_jacobian(grid);
   return volume_of(grid) / ShapeMoments<dim>(shape).volume - 1;
@@ -58,9 +59,9 @@ double relative_error(const v1::Shape& outline, double longest, double* jacobian
 
 TEST(FittedGrid, OfABoxesOutlineIsTheBoxesTurnedToo) {
   const v1::Shape box = test::box({0.2, 0.1}, {0.5, 0.9});
-  const FittedGrid<2> even(Shape<2>(box), 0.1, 0);
+  const FittedGrid<2> even(from_case<2>(box), 0.1, 0);
   const double angle = 0.4, c = std::cos(angle), s = std::sin(angle);
-  const FittedGrid<2> turned(Shape<2>(test::turned_box({0.2, 0.1}, {0.5, 0.9}, angle)), 0.1, 0);
+  const FittedGrid<2> turned(from_case<2>(test::turned_box({0.2, 0.1}, {0.5, 0.9}, angle)), 0.1, 0);
   Mat<2> R;
   R << c, -s, s, c;
   ASSERT_EQ(even.node, turned.node);
@@ -201,25 +202,25 @@ TEST(FittedGrid, ThatCannotFollowItsShapeIsRefused) {
   for (int k = 0; k < 48; ++k)
     for (const Vec<3>& x : {rim(k), rim(k + 1), Vec<3>(0, 0, 1.2), rim(k + 1), rim(k), Vec<3>(0, 0, 0)})
       cone.push_back(x);
-  EXPECT_THROW(FittedGrid<3>(Shape<3>(test::outline<3>(octahedron)), 0.4, 0), Error);
-  EXPECT_NO_THROW(FittedGrid<3>(Shape<3>(test::outline<3>(octahedron)), 0.2, 0));
-  EXPECT_THROW(FittedGrid<3>(Shape<3>(test::outline<3>(cone)), 0.2, 0), Error);
+  EXPECT_THROW(FittedGrid<3>(from_case<3>(test::outline<3>(octahedron)), 0.4, 0), Error);
+  EXPECT_NO_THROW(FittedGrid<3>(from_case<3>(test::outline<3>(octahedron)), 0.2, 0));
+  EXPECT_THROW(FittedGrid<3>(from_case<3>(test::outline<3>(cone)), 0.2, 0), Error);
 }
 
 TEST(FittedGrid, ThatFallsApartIsRefused) {
   // Two squares and a strip that is thinner than the cells.
-  const Shape<2> dumbbell(test::outline<2>({{0, 0},
-                                            {1, 0},
-                                            {1, 0.42},
-                                            {2, 0.42},
-                                            {2, 0},
-                                            {3, 0},
-                                            {3, 1},
-                                            {2, 1},
-                                            {2, 0.58},
-                                            {1, 0.58},
-                                            {1, 1},
-                                            {0, 1}}));
+  const auto dumbbell = from_case<2>(test::outline<2>({{0, 0},
+                                                       {1, 0},
+                                                       {1, 0.42},
+                                                       {2, 0.42},
+                                                       {2, 0},
+                                                       {3, 0},
+                                                       {3, 1},
+                                                       {2, 1},
+                                                       {2, 0.58},
+                                                       {1, 0.58},
+                                                       {1, 1},
+                                                       {0, 1}}));
   EXPECT_THROW(FittedGrid<2>(dumbbell, 0.5, 0), Error);
   EXPECT_NO_THROW(FittedGrid<2>(dumbbell, 0.08, 0));
 }

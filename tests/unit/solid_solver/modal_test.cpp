@@ -7,6 +7,7 @@
 
 #include "solid_solver/models/modal/modal_model.hpp"
 #include "tests/support/loaded_solid.hpp"
+#include "tests/support/structures.hpp"
 
 namespace cosurge::modal {
 namespace {
@@ -19,14 +20,14 @@ Eigen::ArrayXd frequencies(const test::SolidParameters& p, double element, int c
   const v1::Case c = test::plate(p);
   const Elasticity material{
       .density = p.density, .young_modulus = p.young_modulus, .poisson_ratio = p.poisson_ratio};
-  const fem::FemBody<2> body(c.solid().body(0), 0, element, material, Vec<2>::Zero());
+  const fem::FemBody<2> body(test::body_of<2>(c.solid().body(0)), 0, element, material, Vec<2>::Zero());
   return lowest_modes(body, material, count).omega_squared.array().sqrt() / (2 * std::numbers::pi);
 }
 
 TEST(Modes, AreOrthogonalAndOfUnitMass) {
   const v1::Case c = test::plate({});
   const Elasticity material{.density = 2500, .young_modulus = 1e6, .poisson_ratio = 0.3};
-  const fem::FemBody<2> body(c.solid().body(0), 0, 0, material, Vec<2>::Zero());
+  const fem::FemBody<2> body(test::body_of<2>(c.solid().body(0)), 0, 0, material, Vec<2>::Zero());
   const Modes modes = lowest_modes(body, material, 12);
   const fem::Matrix stiffness = body.tangent(fem::Vector::Zero(body.unknowns()));
   const double highest = modes.omega_squared[11];

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "tests/support/solid_cases.hpp"
+#include "tests/support/structures.hpp"
 
 namespace cosurge::mps {
 namespace {
@@ -20,7 +21,7 @@ struct Block {
   bool clamped = false;
   double young_modulus = 1e6;
   double poisson_ratio = 0.3;
-  v1::SolidMps::Pairs pairs = v1::SolidMps::paper;
+  MpsParameters::Pairs pairs = MpsParameters::Pairs::paper;
 };
 
 using Axial = MpsBody<2>::Axial;
@@ -31,7 +32,7 @@ Elasticity material_of(const Block& block) {
 
 MpsBody<2> make_body(const Block& block) {
   const v1::Case c = test::plate({.columns = block.columns, .rows = block.rows, .clamped = block.clamped});
-  return {c.solid().body(0),
+  return {test::body_of<2>(c.solid().body(0)),
           0,
           full_stencil<2>(l0, 2.1),
           {.material = material_of(block), .gravity = Vec<2>::Zero()},

@@ -4,13 +4,14 @@
 
 #include <numbers>
 
+#include "common/case/from_case.hpp"
 #include "solid_solver/models/fem/shape_axes.hpp"
 #include "tests/support/outlines.hpp"
 
 namespace cosurge::fem {
 namespace {
 
-OutlineFeatures<3> features_of(const v1::Shape& shape) { return OutlineFeatures<3>(Shape<3>(shape)); }
+OutlineFeatures<3> features_of(const v1::Shape& shape) { return OutlineFeatures<3>(from_case<3>(shape)); }
 
 TEST(OutlineFeatures, OfAPrismAreItsCornersEdgesAndFaces) {
   const OutlineFeatures<3> prism = features_of(test::prism(1, 2, 3));
@@ -49,9 +50,9 @@ TEST(AxesOf, ABracketAreItsFacesHoweverItIsTurned) {
     turn << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
     std::vector<Vec<2>> turned;
     for (const Vec<2>& x : corners) turned.emplace_back(turn * x);
-    EXPECT_LT((axes_of(Shape<2>(test::outline<2>(turned))) - turn).norm(), 1e-14);  // rounding
+    EXPECT_LT((axes_of(from_case<2>(test::outline<2>(turned))) - turn).norm(), 1e-14);  // rounding
   }
-  EXPECT_LT((axes_of(Shape<3>(test::extruded(corners, 0.5, 3))) - Mat<3>::Identity()).norm(), 1e-14);
+  EXPECT_LT((axes_of(from_case<3>(test::extruded(corners, 0.5, 3))) - Mat<3>::Identity()).norm(), 1e-14);
 }
 
 }  // namespace

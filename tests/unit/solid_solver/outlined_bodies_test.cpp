@@ -10,6 +10,7 @@
 #include "solid_solver/models/modal/modes.hpp"
 #include "tests/support/loaded_solid.hpp"
 #include "tests/support/outlines.hpp"
+#include "tests/support/structures.hpp"
 
 namespace cosurge {
 namespace {
@@ -197,8 +198,8 @@ double tapered(double longest, double angle) {
   *body.mutable_shape() =
       test::outline<2>({turn(0, -0.01), turn(0.1, -0.005), turn(0.1, 0.005), turn(0, 0.01)});
   *body.add_clamp() = test::turned_box({-0.01, -0.02}, {0, 0.02}, angle);
-  const Elasticity material = elasticity_of<2>(solid);
-  const fem::FemBody<2> elements(body, 0, longest, material, Vec<2>::Zero());
+  const Elasticity material = test::structure_of<2>(solid).material;
+  const fem::FemBody<2> elements(test::body_of<2>(body), 0, longest, material, Vec<2>::Zero());
   return std::sqrt(modal::lowest_modes(elements, material, 1).omega_squared[0]) / (2 * std::numbers::pi);
 }
 
@@ -222,8 +223,8 @@ double tapered_in_space(double longest, double poisson_ratio) {
   v1::Body& body = *solid.add_body();
   *body.mutable_shape() = test::extruded({{0, -0.01}, {0.1, -0.005}, {0.1, 0.005}, {0, 0.01}}, 0.024);
   *body.add_clamp() = test::box({-0.01, -0.02, -0.01}, {0, 0.02, 0.04});
-  const Elasticity material = elasticity_of<3>(solid);
-  const fem::FemBody<3> elements(body, 0, longest, material, Vec<3>::Zero());
+  const Elasticity material = test::structure_of<3>(solid).material;
+  const fem::FemBody<3> elements(test::body_of<3>(body), 0, longest, material, Vec<3>::Zero());
   return std::sqrt(modal::lowest_modes(elements, material, 1).omega_squared[0]) / (2 * std::numbers::pi);
 }
 
@@ -246,7 +247,8 @@ Vec<2> sag_of_flap(double longest) {
   v1::Body& body = *solid.add_body();
   *body.mutable_shape() = test::outline<2>({{0.22, 0}, {0.25, 0}, {0.2754, 0.072}, {0.265, 0.078}});
   *body.add_clamp() = test::box({0.21, -0.02}, {0.26, 0});
-  const fem::FemBody<2> elements(body, 0, longest, elasticity_of<2>(solid), {0, -9.81});
+  const fem::FemBody<2> elements(test::body_of<2>(body), 0, longest, test::structure_of<2>(solid).material,
+                                 {0, -9.81});
   const fem::Matrix stiffness = elements.tangent(fem::Vector::Zero(elements.unknowns()));
   const Eigen::SimplicialLDLT<fem::Matrix> factors(stiffness);
   const Field u = elements.to_nodes(factors.solve(elements.weight()));
@@ -275,8 +277,8 @@ template <int dim>
 void expect_found(const v1::Shape& shape, double longest, double spacing) {
   v1::Body body;
   *body.mutable_shape() = shape;
-  const fem::Mesh<dim> mesh(body, 0, longest);
-  const BodySites<dim> sites(body, spacing);
+  const fem::Mesh<dim> mesh(test::body_of<dim>(body), 0, longest);
+  const BodySites<dim> sites(mesh.shape(), spacing);
   for (const Vec<dim>& x : sites.all()) {
     const auto place = mesh.place(x);
     const Vec<dim> there = mesh.corners(place.element) * fem::QuadraticElement<dim>::values(place.xi);
@@ -296,9 +298,10 @@ TEST(OutlinedElements, FollowAffineMotionExactly) {
   c.mutable_solid()->mutable_fem()->set_element(0.002);
   const v1::Body& body = c.solid().body(0);
   const Interface points = test::points_on<2>(body, 0.0008);
-  const Interpolation H = make_model(c)->interpolation(points.position, points.body);
+  const Interpolation H = make_model(structure_from_case<2>(c))->interpolation(points.position, points.body);
   // Rows sum to one and have the point as their mean: with both, any affine motion.
-  const fem::FemBody<2> elements(body, 0, 0.002, elasticity_of<2>(c.solid()), Vec<2>::Zero());
+  const fem::FemBody<2> elements(test::body_of<2>(body), 0, 0.002, test::structure_of<2>(c.solid()).material,
+                                 Vec<2>::Zero());
   EXPECT_LT((elements.mesh().position() * H.transpose() - points.position).cwiseAbs().maxCoeff(), 1e-15);
   EXPECT_LT((Field::Ones(1, H.cols()) * H.transpose()).array().cwiseAbs2().maxCoeff() - 1, 1e-12);
   EXPECT_GT((Field::Ones(1, H.cols()) * H.transpose()).minCoeff(), 1 - 1e-12);

@@ -4,6 +4,7 @@
 
 #include "solid_solver/models/mps/mps_body.hpp"
 #include "tests/support/solid_cases.hpp"
+#include "tests/support/structures.hpp"
 
 namespace cosurge::mps {
 namespace {
@@ -11,7 +12,7 @@ namespace {
 using test::l0;
 
 template <int dim>
-v1::Body block(bool clamped) {
+Body<dim> block(bool clamped) {
   v1::Body body;
   const double width = 7 * l0, height = 9 * l0;
   if constexpr (dim == 2) {
@@ -21,7 +22,7 @@ v1::Body block(bool clamped) {
     test::set_box(*body.mutable_box(), {0, 0, 0}, {width, 5 * l0, height});
     if (clamped) test::set_box(*body.add_clamp(), {0, 0, -4 * l0}, {width, 5 * l0, 0});
   }
-  return body;
+  return test::body_of<dim>(body);
 }
 
 template <int dim>
@@ -85,7 +86,7 @@ TEST(PairWeights, PairsThatReachIntoAClampEndAtItsFace) {
 
 /// Energy of a free block under a small stress along the last axis alone, over the continuum's.
 template <int dim>
-double uniaxial_energy(v1::SolidMps::Pairs pairs) {
+double uniaxial_energy(MpsParameters::Pairs pairs) {
   const Elasticity m = material<dim>();
   MpsBody<dim> body(block<dim>(false), 0, particles::full_stencil<dim>(l0, 2.1),
                     {.material = m, .gravity = Vec<dim>::Zero()}, pairs);
@@ -103,9 +104,9 @@ double uniaxial_energy(v1::SolidMps::Pairs pairs) {
 
 TEST(PairWeights, ABodyUnderTensionHasTheContinuumsEnergyToItsCorners) {
   // Nonlinear terms are of the order of the strain, 1e-6.
-  EXPECT_NEAR(uniaxial_energy<2>(v1::SolidMps::corrected), 1, 1e-5);
-  EXPECT_NEAR(uniaxial_energy<3>(v1::SolidMps::corrected), 1, 1e-5);
-  EXPECT_LT(uniaxial_energy<2>(v1::SolidMps::paper), 0.95);
+  EXPECT_NEAR(uniaxial_energy<2>(MpsParameters::Pairs::corrected), 1, 1e-5);
+  EXPECT_NEAR(uniaxial_energy<3>(MpsParameters::Pairs::corrected), 1, 1e-5);
+  EXPECT_LT(uniaxial_energy<2>(MpsParameters::Pairs::paper), 0.95);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "common/case/from_case.hpp"
 #include "common/geometry/motion.hpp"
 #include "solid_solver/solid_participant.hpp"
 #include "tests/support/outlines.hpp"
@@ -78,7 +79,7 @@ TEST_P(RollingModes, TurnWithTheTank) {
   };
   const Field drawn = first_mode();
   while (run.time < 0.3) run.go_on(1e-3);
-  const double angle = Motion<2>([&] {
+  const double angle = from_case<2>([&] {
                          v1::WallMotion plane = c.fluid().tank_motion();
                          plane.clear_pivot();
                          plane.clear_amplitude();

@@ -4,6 +4,7 @@
 
 #include "tests/support/loaded_solid.hpp"
 #include "tests/support/outlines.hpp"
+#include "tests/support/structures.hpp"
 
 namespace cosurge {
 namespace {
@@ -94,8 +95,8 @@ TEST(RelocatedModel, MessagesSayWhatTheirCoordinatesMean) {
 }
 
 TEST(RelocatedModel, BodiesNearTheOriginStayWhereTheyAre) {
-  EXPECT_TRUE(origin_near_bodies(Flap{v1::SolidModel::fem, {3, 0}}.make(), l0).empty());
-  EXPECT_EQ(origin_near_bodies(Flap{v1::SolidModel::fem, {90, 0}}.make(), l0).size(), 2u);
+  EXPECT_FALSE(origin_near_bodies(structure_from_case<2>(Flap{v1::SolidModel::fem, {3, 0}}.make())));
+  EXPECT_TRUE(origin_near_bodies(structure_from_case<2>(Flap{v1::SolidModel::fem, {90, 0}}.make())));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/case/from_case.hpp"
 #include "tests/support/outlines.hpp"
 
 namespace cosurge {
@@ -19,7 +20,7 @@ void expect_same(const ShapeMoments<dim>& a, const ShapeMoments<dim>& b) {
 
 template <int dim>
 ShapeMoments<dim> moments(const v1::Shape& shape) {
-  return ShapeMoments<dim>(Shape<dim>(shape));
+  return ShapeMoments<dim>(from_case<dim>(shape));
 }
 
 TEST(ShapeMoments, OfARectangleAreThoseOfItsPolygonEitherWayAround) {

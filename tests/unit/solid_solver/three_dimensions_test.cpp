@@ -9,6 +9,7 @@
 #include "solid_solver/models/modal/modes.hpp"
 #include "solid_solver/models/mps/mps_body.hpp"
 #include "tests/support/loaded_solid.hpp"
+#include "tests/support/structures.hpp"
 
 namespace cosurge {
 namespace {
@@ -45,15 +46,16 @@ Mat<3> stretched() {
 /// Energies of a motion x = F X of a free block, over the continuum's.
 double fem_energy(const Mat<3>& F) {
   const v1::Case c = brick(0.008, 0.006, 0.010, false, l0);
-  const fem::FemBody<3> body(c.solid().body(0), 0, 0.005, elasticity_of<3>(c.solid()), Vec<3>::Zero());
+  const fem::FemBody<3> body(test::body_of<3>(c.solid().body(0)), 0, 0.005,
+                             test::structure_of<3>(c.solid()).material, Vec<3>::Zero());
   return body.elastic_energy(body.from_nodes((F - Mat<3>::Identity()) * body.mesh().position()));
 }
 
 double hamiltonian_energy(const Mat<3>& F) {
   const v1::Case c = brick(0.008, 0.006, 0.010, false, l0);
-  hamiltonian::HamiltonianBody<3> body(c.solid().body(0), 0, particles::full_stencil<3>(l0, 2.1),
-                                       {.material = elasticity_of<3>(c.solid()), .gravity = Vec<3>::Zero()},
-                                       1);
+  hamiltonian::HamiltonianBody<3> body(
+      test::body_of<3>(c.solid().body(0)), 0, particles::full_stencil<3>(l0, 2.1),
+      {.material = test::structure_of<3>(c.solid()).material, .gravity = Vec<3>::Zero()}, 1);
   for (std::size_t p = 0; p < body.grid().positions().size(); ++p) {
     const Vec<3>& X = body.grid().positions()[p];
     body.place(p, F * X - X, Vec<3>::Zero());
@@ -65,22 +67,22 @@ TEST(Space, AffineMotionHasTheContinuumsEnergyAndRotationNone) {
   const v1::Case c = brick(0.008, 0.006, 0.010, false, l0);
   const double volume = 0.008 * 0.006 * 0.010;
   const double exact =
-      volume * respond<3>(stretched() - Mat<3>::Identity(), elasticity_of<3>(c.solid())).energy;
+      volume * respond<3>(stretched() - Mat<3>::Identity(), test::structure_of<3>(c.solid()).material).energy;
   EXPECT_NEAR(fem_energy(stretched()) / exact, 1, 1e-11);
   EXPECT_NEAR(hamiltonian_energy(stretched()) / exact, 1, 1e-11);
   EXPECT_LT(fem_energy(rotation()), 1e-26 * 1e6 * volume);  // the square of rounding
   EXPECT_LT(hamiltonian_energy(rotation()), 1e-26 * 1e6 * volume);
 }
 
-mps::MpsBody<3> particles_with_rotation(const v1::Case& c, v1::SolidMps::Pairs pairs) {
-  return {c.solid().body(0),
+mps::MpsBody<3> particles_with_rotation(const v1::Case& c, MpsParameters::Pairs pairs) {
+  return {test::body_of<3>(c.solid().body(0)),
           0,
           particles::full_stencil<3>(l0, 2.1),
-          {.material = elasticity_of<3>(c.solid()), .gravity = Vec<3>::Zero()},
+          {.material = test::structure_of<3>(c.solid()).material, .gravity = Vec<3>::Zero()},
           pairs};
 }
 
-class SpaceMps : public testing::TestWithParam<v1::SolidMps::Pairs> {};
+class SpaceMps : public testing::TestWithParam<MpsParameters::Pairs> {};
 
 TEST_P(SpaceMps, ARotationCostsNoEnergyAndNoForce) {
   mps::MpsBody<3> body = particles_with_rotation(brick(0.006, 0.005, 0.008, false, l0), GetParam());
@@ -141,8 +143,12 @@ TEST_P(SpaceMps, AFreeTurningBodyKeepsItsMomentaAndItsEnergy) {
   EXPECT_NEAR((after.kinetic + after.elastic) / (before.kinetic + before.elastic), 1, 1e-3);
 }
 
-INSTANTIATE_TEST_SUITE_P(Both, SpaceMps, testing::Values(v1::SolidMps::corrected, v1::SolidMps::paper),
-                         [](const auto& choice) { return v1::SolidMps::Pairs_Name(choice.param); });
+INSTANTIATE_TEST_SUITE_P(Both, SpaceMps,
+                         testing::Values(MpsParameters::Pairs::corrected, MpsParameters::Pairs::paper),
+                         [](const auto& choice) {
+                           return std::string(choice.param == MpsParameters::Pairs::paper ? "paper"
+                                                                                          : "corrected");
+                         });
 
 /// First frequency [Hz] of a plate of particles 12 mm thick along x, 60 mm high by default, with spacings of
 /// 2 mm, from its free swing after a pulse whose spectrum is small at the other frequencies.
@@ -189,7 +195,8 @@ TEST(Space, AThinPlateOfMpsSwingsAsABeam) {
 
 TEST(Space, ForceAndTangentOfElementsAreDerivatives) {
   v1::Case c = brick(0.004, 0.004, 0.004, true, l0);
-  const fem::FemBody<3> body(c.solid().body(0), 0, 0.004, elasticity_of<3>(c.solid()), Vec<3>::Zero());
+  const fem::FemBody<3> body(test::body_of<3>(c.solid().body(0)), 0, 0.004,
+                             test::structure_of<3>(c.solid()).material, Vec<3>::Zero());
   Field moved(3, body.mesh().nodes());
   for (Eigen::Index n = 0; n < moved.cols(); ++n) {
     const Vec<3> X = body.mesh().position().col(n);
@@ -212,8 +219,8 @@ TEST(Space, ForceAndTangentOfElementsAreDerivatives) {
 double plate_frequency(double width, double poisson_ratio) {
   v1::Case c = brick(0.012, width, 0.080, true, 0.002);
   c.mutable_solid()->set_poisson_ratio(poisson_ratio);
-  const Elasticity material = elasticity_of<3>(c.solid());
-  const fem::FemBody<3> body(c.solid().body(0), 0, 0.008, material, Vec<3>::Zero());
+  const Elasticity material = test::structure_of<3>(c.solid()).material;
+  const fem::FemBody<3> body(test::body_of<3>(c.solid().body(0)), 0, 0.008, material, Vec<3>::Zero());
   return std::sqrt(modal::lowest_modes(body, material, 1).omega_squared[0]) / (2 * std::numbers::pi);
 }
 
@@ -240,8 +247,8 @@ TEST(Space, ParticlesNearIncompressibilitySwingAsElementsDo) {
   constexpr double width = 0.006, height = 0.036, nu = 0.49;
   v1::Case c = brick(0.012, width, height, true, 0.002);
   c.mutable_solid()->set_poisson_ratio(nu);
-  const Elasticity material = elasticity_of<3>(c.solid());
-  const fem::FemBody<3> body(c.solid().body(0), 0, 0.004, material, Vec<3>::Zero());
+  const Elasticity material = test::structure_of<3>(c.solid()).material;
+  const fem::FemBody<3> body(test::body_of<3>(c.solid().body(0)), 0, 0.004, material, Vec<3>::Zero());
   const double exact =
       std::sqrt(modal::lowest_modes(body, material, 2).omega_squared[1]) / (2 * std::numbers::pi);
   for (const auto model : {v1::SolidModel::mps, v1::SolidModel::hamiltonian}) {
