@@ -172,10 +172,10 @@ TEST(ChartPlan, CombinesRowsOfAFileWithAGrid) {
 
 TEST(ChartPlan, SaysEverythingThatIsWrongAtOnce) {
   ChartOptions some = options();
-  some.over = {"solid.density=-1,1000", "time.window=1,2e-4", "solid.modelx=fem"};
+  some.over = {"solid.density=-1,1000", "time.window=1,2e-4", "solid.jelly=fem"};
   const std::string fault = fault_of([&] { read_plan(some); });
   EXPECT_THAT(fault, HasSubstr("solid.density"));
-  EXPECT_THAT(fault, HasSubstr("solid.modelx"));
+  EXPECT_THAT(fault, HasSubstr("solid.jelly"));
   some.over = {"time.window=2e-4,0.0002"};
   EXPECT_THAT(fault_of([&] { read_plan(some); }), HasSubstr("are the same case"));
   some.over = {"time.window=1e-4", "time.window=2e-4"};
