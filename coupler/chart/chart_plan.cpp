@@ -116,7 +116,7 @@ ChartPlan read_plan(const ChartOptions& options) {
     for (const std::string& key : split_values(axes.back().key, '/')) plan.keys.push_back(key);
   }
   const std::set<std::string> different(plan.keys.begin(), plan.keys.end());
-  require(different.size() == plan.keys.size(), "a key stands twice in the plan: {}",
+  require(different.size() == plan.keys.size(), "a key is given twice in the plan: {}",
           fmt::join(plan.keys, ", "));
   std::vector<std::string> wrong;
   for (const auto& row : rows)

@@ -77,7 +77,7 @@ TimeRange range_of(const std::string& words, const std::string& text, double end
   const auto number = [&](const std::string& digits) {
     double value = 0;
     const auto [rest, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    require(error == std::errc() && rest == digits.data() + digits.size(), "--quantity {}: {} is no time",
+    require(error == std::errc() && rest == digits.data() + digits.size(), "--quantity {}: {} is not a time",
             text, digits);
     return value;
   };

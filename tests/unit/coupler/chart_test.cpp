@@ -179,7 +179,7 @@ TEST(ChartPlan, SaysEverythingThatIsWrongAtOnce) {
   some.over = {"time.window=2e-4,0.0002"};
   EXPECT_THAT(fault_of([&] { read_plan(some); }), HasSubstr("are the same case"));
   some.over = {"time.window=1e-4", "time.window=2e-4"};
-  EXPECT_THAT(fault_of([&] { read_plan(some); }), HasSubstr("a key stands twice"));
+  EXPECT_THAT(fault_of([&] { read_plan(some); }), HasSubstr("a key is given twice"));
   some.over = {};
   EXPECT_THAT(fault_of([&] { read_plan(some); }), HasSubstr("needs --over"));
   const ScratchFolder scratch;
