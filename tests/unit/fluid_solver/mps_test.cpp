@@ -249,7 +249,7 @@ TEST(MpsLoad, IsMinusThePressureOnTheFaceTimesTheDeformedArea) {
 }
 
 TEST(MpsStep, WallsThatDriveTheWaterHaveTheSmallerCourantNumber) {
-  for (const auto [speed, driven] : {std::pair{0.1, false}, {1.0, true}}) {  // 15 V of c = 1.7 m/s
+  for (const auto& [speed, driven] : {std::pair{0.1, false}, {1.0, true}}) {  // 15 V of c = 1.7 m/s
     v1::Fluid fluid = tank_of_water(l0, box_of({0, 0}, {0.4, 0.4}), {box_of({0, 0}, {0.3, 0.3})});
     v1::Obstacle& piston = *fluid.add_obstacle();
     *piston.mutable_shape() = shape_of(box_of({0.32, 0.0}, {0.38, 0.2}));
