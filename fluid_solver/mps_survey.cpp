@@ -45,18 +45,18 @@ StepReport Mps<dim>::survey(double end, double dt) {
     if (std::isnan(speed)) break;
   }
   check_bounds(water, which, fastest, end);
-  const double flight = free_flight * parameters_.spacing() / std::max(fastest, 1e-12);
+  const double flight = free_flight * water_.spacing / std::max(fastest, 1e-12);
   return {.pressure = {}, .max_speed = fastest, .max_window = std::min(flight, longest_step(fastest_bound))};
 }
 
 /// Eq. (17) but for free flight, for water, walls and bodies of at most `speed` [m/s].
 template <int dim>
 double Mps<dim>::longest_step(double speed) const {
-  const double spacing = parameters_.spacing();
-  const double gravity = std::sqrt(spacing / std::max(gravity_.norm(), 1e-12));
-  const double viscous = 0.2 * spacing * spacing / std::max(parameters_.kinematic_viscosity(), 1e-12);
-  const double advective = parameters_.courant() * spacing / std::max(speed, 1e-12);
-  const double longest = std::min({advective, viscous, parameters_.courant() * gravity});
+  const double spacing = water_.spacing;
+  const double gravity = std::sqrt(spacing / std::max(water_.gravity.norm(), 1e-12));
+  const double viscous = 0.2 * spacing * spacing / std::max(water_.kinematic_viscosity, 1e-12);
+  const double advective = water_.method.courant * spacing / std::max(speed, 1e-12);
+  const double longest = std::min({advective, viscous, water_.method.courant * gravity});
   if (!open_surface()) return longest;
   // The density is corrected at the rate c / l0: water at rest boils where a window corrects all of it.
   constexpr double share = 0.5;
