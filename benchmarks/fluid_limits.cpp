@@ -9,6 +9,7 @@
 
 #include "common/error.hpp"
 #include "common/threads.hpp"
+#include "tests/support/make_mps.hpp"
 #include "tests/support/turning_patch.hpp"
 
 namespace cosurge::fluid {
@@ -47,14 +48,14 @@ double energy(const Mps<2>& mps, double l0) {
   return density * l0 * l0 * sum;
 }
 
-struct Source {
+struct Choices {
   const char* name;
   v1::Fluid::Source source;
   v1::Fluid::Gradient gradient;
 };
 
 /// A column that collapses and meets the wall opposite at 0.25 s, until 0.3 s, on a lattice of 4 mm.
-void collapse(const Source& source, double alpha, double courant) {
+void collapse(const Choices& source, double alpha, double courant) {
   constexpr double l0 = 0.004, width = 0.148, height = 0.292, end = 0.3, quiet = 0.02;
   v1::Fluid fluid = tank_of_water(l0, box_of({0, 0}, {0.584, 0.584}), {box_of({0, 0}, {width, height})});
   fluid.set_source(source.source);
@@ -62,7 +63,7 @@ void collapse(const Source& source, double alpha, double courant) {
   fluid.set_compressibility(alpha);
   fluid.set_courant(std::min(courant, largest_courant));
   fluid.set_propagation_speed(1);
-  Mps<2> mps(fluid, nullptr, Vec<2>(0, -g));
+  auto mps = test::mps_of<2>(fluid, nullptr, Vec<2>(0, -g));
   const double start = energy(mps, l0);
   std::vector<double> times, pressures;
   const double beyond = std::max(1.0, courant / largest_courant);  // the steps that the water asks for
@@ -98,9 +99,9 @@ void collapse(const Source& source, double alpha, double courant) {
 
 void column() {
   fmt::print("source,compressibility,courant,state,end,windows,noise,volume,gained,lost,seconds\n");
-  for (const Source& source : {Source{"deviation p_min", v1::Fluid::deviation, v1::Fluid::p_min},
-                               Source{"mixed corrected", v1::Fluid::mixed, v1::Fluid::corrected},
-                               Source{"time_scale corrected", v1::Fluid::time_scale, v1::Fluid::corrected}})
+  for (const Choices& source : {Choices{"deviation p_min", v1::Fluid::deviation, v1::Fluid::p_min},
+                                Choices{"mixed corrected", v1::Fluid::mixed, v1::Fluid::corrected},
+                                Choices{"time_scale corrected", v1::Fluid::time_scale, v1::Fluid::corrected}})
     for (const double alpha : {1e-10, 1e-9, 1e-8, 1e-7, 1e-6})
       for (const double courant : {0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1.0}) collapse(source, alpha, courant);
 }

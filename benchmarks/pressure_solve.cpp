@@ -16,7 +16,7 @@ namespace {
 using cosurge::fluid::conjugate_gradient;
 using cosurge::fluid::Matrix;
 using cosurge::fluid::test::Column;
-using Choice = cosurge::v1::Pressure;
+using Choice = cosurge::fluid::PressureSolution::Preconditioner;
 
 constexpr double water = 4.5e-10;  // compressibility [1/Pa]
 constexpr double tolerance = 1e-3;
@@ -73,7 +73,7 @@ void set_up(benchmark::State& state) {
   for (auto _ : state) M->set_up(c.A(), c.equation.cells());
 }
 
-template <Choice::Preconditioner word>
+template <Choice word>
 void solve(benchmark::State& state) {
   const Column& c = column(static_cast<int>(state.range(0)));
   const auto M = c.preconditioner(word);

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "common/case/bodies.hpp"
-#include "common/case/from_case.hpp"
 #include "fluid_solver/weight.hpp"
 
 namespace cosurge::fluid {
@@ -33,18 +31,15 @@ LatticeFaces<dim> wet_faces(const Vec<dim>& x, const BodySites<dim>& body,
 }  // namespace
 
 template <int dim>
-Bodies<dim>::Bodies(const v1::Solid& solid, const Box<dim>& tank, double spacing) {
-  for (int b = 0; b < solid.body_size(); ++b) {
-    const v1::Body& body = solid.body(b);
-    const BodySites<dim> sites(from_case<dim>(shape_of(body)), spacing);
-    std::vector<Shape<dim>> clamps;
-    for (const v1::Shape& clamp : body.clamp()) clamps.push_back(from_case<dim>(clamp));
+Bodies<dim>::Bodies(const std::vector<WetBody<dim>>& bodies, const Box<dim>& tank, double spacing) {
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const BodySites<dim> sites(bodies[b].shape, spacing);
     for (const Vec<dim>& x : sites.all()) {
       position_.push_back(x);
-      const LatticeFaces<dim> wet = wet_faces(x, sites, clamps, tank, spacing);
+      const LatticeFaces<dim> wet = wet_faces(x, sites, bodies[b].clamps, tank, spacing);
       area_.push_back(wet.above - wet.below);
       faces_.push_back(wet);
-      body_.push_back(b);
+      body_.push_back(static_cast<int>(b));
     }
   }
   find_neighbors(spacing);

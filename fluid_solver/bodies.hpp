@@ -5,7 +5,7 @@
 
 #include "common/geometry/body_sites.hpp"
 #include "common/participant.hpp"
-#include "proto/case.pb.h"
+#include "fluid_solver/water.hpp"
 
 namespace cosurge::fluid {
 
@@ -47,7 +47,7 @@ class Bodies {
   /// face normals, eq. (14); faces towards a clamp or out of `tank` are not wet. So the areas of a body that
   /// is wet all around add up to zero and uniform pressure gives no net force. Faces towards obstacles and
   /// other bodies are wet as soon as there is a gap (CoveredFaces).
-  Bodies(const v1::Solid& solid, const Box<dim>& tank, double spacing);
+  Bodies(const std::vector<WetBody<dim>>& bodies, const Box<dim>& tank, double spacing);
 
   int points() const { return static_cast<int>(position_.size()); }
   const Vec<dim>& position(int k) const { return position_[static_cast<std::size_t>(k)]; }

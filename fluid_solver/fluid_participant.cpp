@@ -1,8 +1,10 @@
 #include "fluid_solver/fluid_participant.hpp"
 
+#include "common/case/from_case.hpp"
 #include "common/case/window_sizes.hpp"
 #include "common/solvers.hpp"
 #include "common/version.hpp"
+#include "fluid_solver/from_case.hpp"
 #include "fluid_solver/gauges.hpp"
 #include "fluid_solver/lost_water.hpp"
 #include "fluid_solver/mps.hpp"
@@ -25,10 +27,11 @@ template <int dim>
 class FluidParticipant::SceneOf : public Scene {
  public:
   explicit SceneOf(const v1::Case& the_case)
-      : case_(the_case),
-        gravity_(Eigen::Map<const Vec<dim>>(the_case.gravity().data())),
-        mps_(the_case.fluid(), the_case.has_solid() ? &the_case.solid() : nullptr, gravity_),
-        lost_water_(the_case.fluid(), mps_.particles()) {}
+      : water_(water_from_case(the_case.fluid(), from_case<dim>(the_case.gravity()))),
+        longest_window_(longest_window(the_case)),
+        mps_(water_, bodies_from_case<dim>(the_case.solid())),
+        lost_water_(water_, mps_.particles()),
+        probes_(probes_from_case<dim>(the_case), mps_, mps_.bodies().interface()) {}
 
   Setup describe(Interface& interface, Surface& surface) override {
     interface = mps_.bodies().interface();
@@ -52,11 +55,10 @@ class FluidParticipant::SceneOf : public Scene {
                             {"seconds_gradient", "s"},
                             {"cpu_seconds", "s"}},
                 .particles = static_cast<std::uint64_t>(mps_.initial_size()),
-                .window = mps_.first_window(longest_window(case_)),
+                .window = mps_.first_window(longest_window_),
                 .substep = 0};
     for (const Column& column : LostWater<dim>::columns()) setup.columns.push_back(column);
-    probes_ = std::make_unique<Probes<dim>>(case_, mps_, interface);
-    for (const Column& column : probes_->columns()) setup.columns.push_back(column);
+    for (const Column& column : probes_.columns()) setup.columns.push_back(column);
     return setup;
   }
 
@@ -71,7 +73,7 @@ class FluidParticipant::SceneOf : public Scene {
     const StepReport step = mps_.step(window.start, window.size, window.attempt);
     if (window.attempt <= 1) lost_water_.after_step(mps_.particles(), window.start + window.size);
     mps_.load(surface);
-    const WaterState water = survey_water(mps_, particle_mass(), spacing(), gravity_);
+    const WaterState water = survey_water(mps_, particle_mass(), water_.spacing, water_.gravity);
     Report report;
     report.values = {static_cast<double>(step.pressure.iterations),
                      step.pressure.relative_residual,
@@ -87,7 +89,7 @@ class FluidParticipant::SceneOf : public Scene {
     for (const double seconds : mps_.clock().seconds()) report.values.push_back(seconds);
     report.values.push_back(cpu_seconds() - cpu_start_);
     for (const double value : lost_water_.values()) report.values.push_back(value);
-    for (const double value : probes_->read({.surface = surface, .end = window.start + window.size}))
+    for (const double value : probes_.read({.surface = surface, .end = window.start + window.size}))
       report.values.push_back(value);
     report.window = step.max_window;
     return report;
@@ -133,14 +135,13 @@ class FluidParticipant::SceneOf : public Scene {
  private:
   static constexpr float lost_kind = 5;  // kind of a particle that has left the domain; it lies at the origin
 
-  double spacing() const { return case_.fluid().spacing(); }
-  double particle_mass() const { return case_.fluid().density() * std::pow(spacing(), dim); }
+  double particle_mass() const { return water_.density * std::pow(water_.spacing, dim); }
 
-  v1::Case case_;
-  Vec<dim> gravity_;
+  Water<dim> water_;
+  double longest_window_;  // that the case allows [s]
   Mps<dim> mps_;
   LostWater<dim> lost_water_;
-  std::unique_ptr<Probes<dim>> probes_;
+  Probes<dim> probes_;
   double cpu_start_ = cpu_seconds();
 };
 

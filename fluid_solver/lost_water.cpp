@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <numeric>
 
-#include "common/case/from_case.hpp"
 #include "common/error.hpp"
 
 namespace cosurge::fluid {
 
 template <int dim>
-LostWater<dim>::LostWater(const v1::Fluid& fluid, const Particles<dim>& particles)
-    : tank_(from_case<dim>(fluid.tank())),
-      motion_(from_case<dim>(fluid.tank_motion())),
-      most_lost_(fluid.most_lost()),
+LostWater<dim>::LostWater(const Water<dim>& water, const Particles<dim>& particles)
+    : tank_(water.tank.box),
+      motion_(water.tank.motion),
+      most_lost_(water.most_lost),
       water_(static_cast<double>(std::count(particles.kind.begin(), particles.kind.end(), Kind::fluid))),
       place_(static_cast<std::size_t>(particles.size())),
       here_(static_cast<std::size_t>(particles.size())) {}

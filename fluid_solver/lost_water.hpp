@@ -9,7 +9,7 @@
 #include "common/participant.hpp"
 #include "common/state_bytes.hpp"
 #include "fluid_solver/particles.hpp"
-#include "proto/case.pb.h"
+#include "fluid_solver/water.hpp"
 
 namespace cosurge::fluid {
 
@@ -17,7 +17,7 @@ template <int dim>
 class LostWater {
  public:
   /// `particles`: those of the start.
-  LostWater(const v1::Fluid& fluid, const Particles<dim>& particles);
+  LostWater(const Water<dim>& water, const Particles<dim>& particles);
 
   /// Remembers where the water is, before a step.
   void before_step(const Particles<dim>& particles);

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "common/case/bodies.hpp"
-#include "common/case/from_case.hpp"
 #include "common/error.hpp"
 #include "common/ordered_sum.hpp"
 #include "fluid_solver/covered_walls.hpp"
@@ -22,16 +20,16 @@ constexpr double beyond_physical = 10;
 constexpr double precise = 1e-2;
 
 /// Layers behind the wall: as many as complete the Laplacian of a particle in the wall.
-int dummy_layers(const v1::Fluid& fluid) { return static_cast<int>(std::ceil(fluid.re_laplacian())) - 1; }
+int dummy_layers(const Method& method) { return static_cast<int>(std::ceil(method.re_laplacian)) - 1; }
 
 template <int dim>
-PoissonParameters<dim> poisson_parameters(const v1::Fluid& fluid, const Vec<dim>& gravity) {
-  return {.spacing = fluid.spacing(),
-          .re = fluid.re_laplacian() * fluid.spacing(),
-          .density = fluid.density(),
-          .compressibility = fluid.compressibility(),
-          .gravity = gravity,
-          .open_surface = fluid.source() == v1::Fluid::time_scale};
+PoissonParameters<dim> poisson_parameters(const Water<dim>& water) {
+  return {.spacing = water.spacing,
+          .re = water.method.re_laplacian * water.spacing,
+          .density = water.density,
+          .compressibility = water.compressibility,
+          .gravity = water.gravity,
+          .open_surface = water.method.source == Source::time_scale};
 }
 
 /// Default propagation speed: that of long waves, sqrt(g H), where H is the initial height of the water.
@@ -50,32 +48,30 @@ double shallow_speed(const std::vector<Vec<dim>>& water, const Vec<dim>& gravity
 }  // namespace
 
 template <int dim>
-Mps<dim>::Mps(const v1::Fluid& fluid, const v1::Solid* solid, const Vec<dim>& gravity)
-    : parameters_(fluid),
-      gravity_(gravity),
-      reference_(reference_values<dim>(fluid.re_gradient() * fluid.spacing(), fluid.spacing())),
-      walls_(fluid, dummy_layers(fluid), open_surface()),
-      neighbors_(walls_.domain(), fluid.re_gradient() * fluid.spacing()),
-      poisson_(poisson_parameters<dim>(fluid, gravity)),
-      preconditioner_(make_preconditioner(fluid.pressure())) {
-  std::vector<BodySites<dim>> sites;
-  for (int b = 0; solid != nullptr && b < solid->body_size(); ++b)
-    sites.emplace_back(from_case<dim>(shape_of(solid->body(b))), fluid.spacing());
-  add_water(sites);
-  propagation_speed_ = fluid.has_propagation_speed() ? fluid.propagation_speed()
-                                                     : shallow_speed(particles_.x, gravity, fluid.spacing());
+Mps<dim>::Mps(const Water<dim>& water, const std::vector<WetBody<dim>>& bodies)
+    : water_(water),
+      reference_(reference_values<dim>(water.method.re_gradient * water.spacing, water.spacing)),
+      walls_(water, dummy_layers(water.method), open_surface()),
+      neighbors_(walls_.domain(), water.method.re_gradient * water.spacing),
+      poisson_(poisson_parameters(water)),
+      preconditioner_(make_preconditioner(water.method.pressure.preconditioner)) {
+  add_water(bodies);
+  propagation_speed_ = water.method.propagation_speed
+                           ? *water.method.propagation_speed
+                           : shallow_speed(particles_.x, water.gravity, water.spacing);
   walls_.add_to(particles_);
   first_body_id_ = particles_.size();
-  const auto tank = from_case<dim>(fluid.tank());
-  if (solid != nullptr) bodies_ = Bodies<dim>(*solid, tank, fluid.spacing());
+  const Box<dim>& tank = water.tank.box;
+  bodies_ = Bodies<dim>(bodies, tank, water.spacing);
   for (int k = 0; k < bodies_.points(); ++k) seen_.push_back(open_surface() ? bodies_.face_point(k) : k);
   for (int k = 0; k < bodies_.points(); ++k)
     particles_.add(bodies_.wet(k) ? Kind::body_surface : Kind::body_inner, bodies_.position(k));
   initial_size_ = particles_.size();
   // Jets of impacts reach two or three times the speed of a fall through the whole domain.
   const double fall = 2 * (tank.max - tank.min).maxCoeff();
-  const double sound = 1 / std::sqrt(fluid.density() * fluid.compressibility());
-  speed_bound_ = gravity.norm() > 0 ? beyond_physical * std::sqrt(2 * gravity.norm() * fall) : sound;
+  const double sound = 1 / std::sqrt(water.density * water.compressibility);
+  const double gravity = water.gravity.norm();
+  speed_bound_ = gravity > 0 ? beyond_physical * std::sqrt(2 * gravity * fall) : sound;
   const Box<dim> domain = walls_.domain();
   nowhere_ = domain.max + (domain.max - domain.min);
   search_neighbors(0);
@@ -86,19 +82,19 @@ Mps<dim>::Mps(const v1::Fluid& fluid, const v1::Solid* solid, const Vec<dim>& gr
 /// Fills the shapes of water; it gives way to obstacles and bodies, and where a shape is an outline also to
 /// the tank and the shapes before it. (Boxes that overlap are refused when the case is read.)
 template <int dim>
-void Mps<dim>::add_water(const std::vector<BodySites<dim>>& bodies) {
+void Mps<dim>::add_water(const std::vector<WetBody<dim>>& bodies) {
+  std::vector<BodySites<dim>> sites;
+  for (const WetBody<dim>& body : bodies) sites.emplace_back(body.shape, water_.spacing);
   std::vector<Shape<dim>> filled;
-  const auto tank = from_case<dim>(parameters_.tank());
   const auto taken = [&](const Vec<dim>& x, const Shape<dim>& by) {
     const auto holds = [&](const auto& region) { return region.contains(x); };
-    if (walls_.covers(x) || std::any_of(bodies.begin(), bodies.end(), holds)) return true;
-    return !by.is_box() && (!tank.contains(x) || std::any_of(filled.begin(), filled.end(), holds));
+    if (walls_.covers(x) || std::any_of(sites.begin(), sites.end(), holds)) return true;
+    return !by.is_box() && (!water_.tank.box.contains(x) || std::any_of(filled.begin(), filled.end(), holds));
   };
-  for (const v1::Shape& water : parameters_.water()) {
-    const auto shape = from_case<dim>(water);
-    for (const Vec<dim>& x : shape.fill(parameters_.spacing()))
-      if (!taken(x, shape)) particles_.add(Kind::fluid, x);
-    filled.push_back(shape);
+  for (const Shape<dim>& region : water_.regions) {
+    for (const Vec<dim>& x : region.fill(water_.spacing))
+      if (!taken(x, region)) particles_.add(Kind::fluid, x);
+    filled.push_back(region);
   }
   require(particles_.size() > 0,
           "fluid.water: contains no particle; it is smaller than fluid.spacing, or lies outside the tank or "
@@ -119,7 +115,7 @@ StepReport Mps<dim>::step(double start, double dt, std::uint32_t attempt) {
   set_source(dt);
   const SolveReport pressure = solve_pressure(start, dt, attempt);
   correct(dt);  // u = u* - dt / rho grad p, x = x* + dt (u - u*)
-  if (parameters_.shifting() > 0) shift(dt);
+  if (water_.method.shifting > 0) shift(dt);
   StepReport report = survey(start + dt, dt);
   report.pressure = pressure;
   clock_.leave();
@@ -139,9 +135,9 @@ void Mps<dim>::advance_to_pressure(double start, double dt) {
 template <int dim>
 void Mps<dim>::find_free_surface() {
   if (open_surface()) return density_and_lone_particles(particles_, neighbors_);
-  density_and_free_surface(particles_, neighbors_, reference_.n0,
-                           {.beta = parameters_.free_surface().beta(),
-                            .delta = parameters_.free_surface().delta() * parameters_.spacing()});
+  density_and_free_surface(
+      particles_, neighbors_, reference_.n0,
+      {.beta = water_.method.free_surface.beta, .delta = water_.method.free_surface.delta * water_.spacing});
 }
 
 template <int dim>
@@ -162,7 +158,7 @@ void Mps<dim>::predict(double start, double dt) {
 #pragma omp parallel for schedule(static)
   for (int i = 0; i < particles_.size(); ++i) {
     if (particles_.kind[i] != Kind::fluid) continue;
-    particles_.u[i] += dt * gravity_;
+    particles_.u[i] += dt * water_.gravity;
     particles_.x[i] += dt * particles_.u[i];
   }
 }
@@ -181,7 +177,7 @@ void Mps<dim>::search_neighbors(double time) {
   neighbors_.rebuild(particles_);
   locate_bodies();
   close_covered_faces();
-  if (may_cover()) covers_ = cover_walls(particles_, neighbors_, walls_, parameters_.spacing());
+  if (may_cover()) covers_ = cover_walls(particles_, neighbors_, walls_, water_.spacing);
   if (!open_surface()) covers_.clear();  // eq. (10) has walls at rest there
   follow_covers(particles_, covers_);
 }
@@ -189,20 +185,17 @@ void Mps<dim>::search_neighbors(double time) {
 /// With flagged surfaces collisions have a restitution; with an open surface they are plastic.
 template <int dim>
 double Mps<dim>::restitution() const {
-  const v1::Collision& collision = parameters_.collision();
-  if (collision.has_restitution()) return collision.restitution();
-  return open_surface() ? 0 : 0.2;
+  return water_.method.collision.restitution.value_or(open_surface() ? 0 : 0.2);
 }
 
 template <int dim>
 void Mps<dim>::diffuse_and_collide(double dt) {
   clock_.enter(evaluating);
-  const CollisionLaw law{.distance = parameters_.collision().distance() * parameters_.spacing(),
+  const CollisionLaw law{.distance = water_.method.collision.distance * water_.spacing,
                          .restitution = restitution(),
-                         .spacing = parameters_.spacing()};
-  const double nu = parameters_.kinematic_viscosity();
-  const SurfaceDamping damping =
-      surface_damping(reference_.n0, propagation_speed_, parameters_.spacing(), dt);
+                         .spacing = water_.spacing};
+  const double nu = water_.kinematic_viscosity;
+  const SurfaceDamping damping = surface_damping(reference_.n0, propagation_speed_, water_.spacing, dt);
   change_.assign(static_cast<std::size_t>(particles_.size()), Vec<dim>::Zero());
 #pragma omp parallel for schedule(dynamic, Rows::chunk)
   for (int i = 0; i < particles_.size(); ++i) {
@@ -232,12 +225,12 @@ template <int dim>
 SolveReport Mps<dim>::solve_pressure(double start, double dt, std::uint32_t attempt) {
   clock_.enter(solving);
   const auto& unknowns = poisson_.unknowns();
-  const v1::Pressure& choice = parameters_.pressure();
-  const double tolerance = (attempt > 0 ? precise : 1) * choice.tolerance();
+  const PressureSolution& choice = water_.method.pressure;
+  const double tolerance = (attempt > 0 ? precise : 1) * choice.tolerance;
   SolveReport report;
   if (!unknowns.empty()) {
     report = conjugate_gradient(poisson_.matrix(), poisson_.right_hand_side(), *preconditioner_, tolerance,
-                                choice.max_iterations(), pressure_);
+                                choice.max_iterations, pressure_);
   }
   if (!report.converged)
     throw NumericalError(
@@ -255,7 +248,7 @@ SolveReport Mps<dim>::solve_pressure(double start, double dt, std::uint32_t atte
                       .dt = dt,
                       .attempt = attempt,
                       .tolerance = tolerance,
-                      .lowest_pressure = parameters_.lowest_pressure()},
+                      .lowest_pressure = water_.method.lowest_pressure},
                      pressure_);
   take_pressure();
   add_answer_of_modes();
@@ -268,18 +261,18 @@ void Mps<dim>::take_pressure() {
   const auto& unknowns = poisson_.unknowns();
   std::fill(particles_.p.begin(), particles_.p.end(), 0.0);
   for (std::size_t k = 0; k < unknowns.size(); ++k)
-    particles_.p[unknowns[k]] = std::max(parameters_.lowest_pressure(), pressure_[k]);
+    particles_.p[unknowns[k]] = std::max(water_.method.lowest_pressure, pressure_[k]);
 }
 
 template <int dim>
 Vec<dim> Mps<dim>::pressure_gradient(int i) const {
-  switch (parameters_.gradient()) {
-    case v1::Fluid::p_min:
+  switch (water_.method.gradient) {
+    case Gradient::p_min:
       return gradient_p_min(particles_, neighbors_, i, reference_.n0);
-    case v1::Fluid::conserving:
+    case Gradient::conserving:
       return gradient_conserving<dim>(particles_, neighbors_, i, reference_.n0,
-                                      parameters_.density() * gravity_, parameters_.lowest_pressure());
-    case v1::Fluid::corrected:
+                                      water_.density * water_.gravity, water_.method.lowest_pressure);
+    case Gradient::corrected:
       return gradient_corrected(particles_, neighbors_, i, reference_.n0) +
              repulsion(particles_, neighbors_, i, reference_.n0);
   }
@@ -289,7 +282,7 @@ Vec<dim> Mps<dim>::pressure_gradient(int i) const {
 template <int dim>
 void Mps<dim>::correct(double dt) {
   clock_.enter(correcting);
-  const double step = dt / parameters_.density();
+  const double step = dt / water_.density;
   push_.resize(static_cast<std::size_t>(particles_.size()));
 #pragma omp parallel for schedule(dynamic, Rows::chunk)
   for (int i = 0; i < particles_.size(); ++i)
@@ -308,7 +301,7 @@ void Mps<dim>::shift(double dt) {
   double fastest = 0;
   for (int i = 0; i < particles_.size(); ++i)
     if (particles_.kind[i] == Kind::fluid) fastest = std::max(fastest, particles_.u[i].norm());
-  const double scale = parameters_.shifting() * std::min(fastest * dt, parameters_.spacing());
+  const double scale = water_.method.shifting * std::min(fastest * dt, water_.spacing);
 #pragma omp parallel for schedule(dynamic, Rows::chunk)
   for (int i = 0; i < particles_.size(); ++i)
     if (particles_.kind[i] == Kind::fluid)

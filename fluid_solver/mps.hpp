@@ -30,8 +30,8 @@ struct StepReport {
 template <int dim>
 class Mps {
  public:
-  /// Lays out water, walls and the bodies' points at rest. `solid` may be null.
-  Mps(const v1::Fluid& fluid, const v1::Solid* solid, const Vec<dim>& gravity);
+  /// Lays out water, walls and the bodies' points at rest.
+  Mps(const Water<dim>& water, const std::vector<WetBody<dim>>& bodies);
 
   /// One step of `dt` [s] with the bodies where move_bodies() put them. `attempt` as in Window: a step that
   /// is repeated starts from the predicted state that the first attempt left, with the same neighbours, free
@@ -75,7 +75,7 @@ class Mps {
   int initial_size() const { return initial_size_; }
   const Neighbors<dim>& neighbors() const { return neighbors_; }
   double n0() const { return reference_.n0; }
-  double spacing() const { return parameters_.spacing(); }
+  double spacing() const { return water_.spacing; }
   const PhaseClock<phase_count>& clock() const { return clock_; }
   int unknowns() const { return poisson_.matrix().size(); }
   std::int64_t matrix_entries() const { return poisson_.matrix().entries(); }
@@ -86,7 +86,7 @@ class Mps {
  private:
   template <typename Self, typename Visit>
   static void each_field(Self& self, Visit&& visit);
-  void add_water(const std::vector<BodySites<dim>>& bodies);
+  void add_water(const std::vector<WetBody<dim>>& bodies);
   void advance_to_pressure(double start, double dt);
   void return_to_pressure();
   void predict(double start, double dt);
@@ -99,7 +99,7 @@ class Mps {
   void set_source(double dt);
   void assemble(double dt);
   /// Whether missing neighbours count as air, and not flags: see pressure/open_surface.hpp.
-  bool open_surface() const { return parameters_.source() == v1::Fluid::time_scale; }
+  bool open_surface() const { return water_.method.source == Source::time_scale; }
   /// Whether anything can cover a wall.
   bool may_cover() const { return bodies_.points() > 0 || walls_.moves(); }
   double restitution() const;
@@ -130,8 +130,7 @@ class Mps {
 
   static constexpr double answers_to_walls = 15;  // of the source while a wall moves by a spacing, eq. (6c)
 
-  v1::Fluid parameters_;
-  Vec<dim> gravity_;
+  Water<dim> water_;
   ReferenceValues reference_;  // for the small radius
   Walls<dim> walls_;
   Bodies<dim> bodies_;

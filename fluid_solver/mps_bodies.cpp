@@ -54,12 +54,12 @@ void Mps<dim>::load(Surface& surface) const {
 
 template <int dim>
 Vec<dim> Mps<dim>::slope_to_faces() const {
-  return open_surface() ? Vec<dim>(parameters_.density() * gravity_) : Vec<dim>::Zero();
+  return open_surface() ? Vec<dim>(water_.density * water_.gravity) : Vec<dim>::Zero();
 }
 
 template <int dim>
 double Mps<dim>::wetness(double p) const {
-  const double full = 0.5 * parameters_.spacing() * slope_to_faces().norm();
+  const double full = 0.5 * water_.spacing * slope_to_faces().norm();
   return full > 0 ? std::clamp(p / full, 0.0, 1.0) : 0;
 }
 
@@ -68,7 +68,7 @@ double Mps<dim>::wetness(double p) const {
 /// does not: the source of the outermost points has half of what the Neumann condition asks for.
 template <int dim>
 void Mps<dim>::set_face_load() {
-  const Vec<dim> change = 0.5 * parameters_.spacing() * slope_to_faces();
+  const Vec<dim> change = 0.5 * water_.spacing * slope_to_faces();
   face_load_.assign(static_cast<std::size_t>(bodies_.points()), Vec<dim>::Zero());
   for (int k = 0; k < bodies_.points(); ++k) {
     if (particles_.kind[body_place_[k]] != Kind::body_surface) continue;
@@ -80,9 +80,8 @@ void Mps<dim>::set_face_load() {
 template <int dim>
 void Mps<dim>::close_covered_faces() {
   if (faces_.area.empty()) return;
-  bodies_.set_open(
-      covered_faces_.find(bodies_, faces_, body_place_, particles_, neighbors_, parameters_.spacing()),
-      faces_);
+  bodies_.set_open(covered_faces_.find(bodies_, faces_, body_place_, particles_, neighbors_, water_.spacing),
+                   faces_);
   for (int k = 0; k < bodies_.points(); ++k) {
     const int i = body_place_[k];
     areas_[i] = faces_.area[k];

@@ -12,31 +12,31 @@ namespace cosurge::fluid {
 /// Change of the source per divergence of the velocity, for the case's choice.
 template <int dim>
 void Mps<dim>::set_source_per_divergence(double dt) {
-  const double rho = parameters_.density();
+  const double rho = water_.density;
   const auto size = static_cast<std::size_t>(particles_.size());
-  switch (parameters_.source()) {
-    case v1::Fluid::deviation:
+  switch (water_.method.source) {
+    case Source::deviation:
       return source_per_divergence_.clear();
-    case v1::Fluid::mixed:
-      return source_per_divergence_.assign(size, (1 - parameters_.gamma()) * rho / dt);
-    case v1::Fluid::time_scale:
+    case Source::mixed:
+      return source_per_divergence_.assign(size, (1 - water_.method.gamma) * rho / dt);
+    case Source::time_scale:
       source_per_divergence_.assign(size, rho * rates(dt).divergence);
   }
   constexpr double answers = 2;  // while two particles come nearer to each other by a spacing
   const double most = 1 / dt;
-  const Vec<dim> kick = dt * gravity_;
+  const Vec<dim> kick = dt * water_.gravity;
   const auto& unknowns = poisson_.unknowns();
 #pragma omp parallel for schedule(dynamic, Rows::chunk)
   for (std::size_t m = 0; m < unknowns.size(); ++m) {
     const std::int32_t i = unknowns[m];
-    const double k = answers * approach_speed(particles_, neighbors_, i, kick) / parameters_.spacing();
+    const double k = answers * approach_speed(particles_, neighbors_, i, kick) / water_.spacing;
     source_per_divergence_[i] = std::max(source_per_divergence_[i], rho * std::min(k, most));
   }
 }
 
 template <int dim>
 double Mps<dim>::least_per_change(double dt) const {
-  return open_surface() ? parameters_.density() * rates(dt).bodies : 0;
+  return open_surface() ? water_.density * rates(dt).bodies : 0;
 }
 
 /// What the bodies' velocity has changed by since the last window, dimension x points [m/s].
@@ -64,18 +64,18 @@ template <int dim>
 void Mps<dim>::set_source(double dt) {
   const double k_n = rates(dt).density;
   const auto source = [&](const SourceInput& in) {
-    switch (parameters_.source()) {
-      case v1::Fluid::deviation:
-        return deviation_source(in, parameters_.gamma());
-      case v1::Fluid::mixed:
-        return mixed_source(in, parameters_.gamma());
-      case v1::Fluid::time_scale:
+    switch (water_.method.source) {
+      case Source::deviation:
+        return deviation_source(in, water_.method.gamma);
+      case Source::mixed:
+        return mixed_source(in, water_.method.gamma);
+      case Source::time_scale:
         return time_scale_source(in, k_n);
     }
     return 0.0;
   };
-  const bool paper = parameters_.source() == v1::Fluid::deviation;
-  const Vec<dim> kick = dt * gravity_;
+  const bool paper = water_.method.source == Source::deviation;
+  const Vec<dim> kick = dt * water_.gravity;
   const auto& unknowns = poisson_.unknowns();
   std::vector<double> divergence;
   if (!paper) divergence = poisson_.divergence(particles_, neighbors_.grid(), kick);
@@ -83,7 +83,7 @@ void Mps<dim>::set_source(double dt) {
 #pragma omp parallel for schedule(dynamic, Rows::chunk)
   for (std::size_t m = 0; m < unknowns.size(); ++m) {
     const std::int32_t i = unknowns[m];
-    SourceInput in{.density = parameters_.density(), .dt = dt, .deviation = near_deviation(i)};
+    SourceInput in{.density = water_.density, .dt = dt, .deviation = near_deviation(i)};
     if (!paper) {
       in.deviation = unbiased_deviation(i, poisson_.deviation()[m]);
       in.divergence = std::isnan(divergence[m])
@@ -140,8 +140,8 @@ double Mps<dim>::unbiased_deviation(int i, double smooth) const {
 template <int dim>
 Rates Mps<dim>::rates(double dt) const {
   constexpr double answers_to_bodies = 20;  // in a radian of the structure's oscillation
-  const double c = propagation_speed_ / parameters_.spacing();
-  const double driven = walls_.approach() / parameters_.spacing();
+  const double c = propagation_speed_ / water_.spacing;
+  const double driven = walls_.approach() / water_.spacing;
   const double k = std::min(std::max(c, answers_to_walls * driven), 1 / dt);
   return {.divergence = k,
           .density = std::min(k, std::max(c, driven)),

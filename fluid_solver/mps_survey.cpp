@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/case/window_sizes.hpp"
 #include "common/error.hpp"
 #include "fluid_solver/mps.hpp"
 
@@ -47,7 +46,7 @@ StepReport Mps<dim>::survey(double end, double dt) {
     if (std::isnan(speed)) break;
   }
   check_bounds(water, which, fastest, end);
-  const double flight = free_flight * parameters_.spacing() / std::max(fastest, 1e-12);
+  const double flight = free_flight * water_.spacing / std::max(fastest, 1e-12);
   return {.pressure = {},
           .max_speed = fastest,
           .max_window = std::min(flight, longest_step(fastest_bound, wall_speed))};
@@ -57,10 +56,11 @@ StepReport Mps<dim>::survey(double end, double dt) {
 /// `wall_speed` [m/s].
 template <int dim>
 double Mps<dim>::longest_step(double speed, double wall_speed) const {
-  const double spacing = parameters_.spacing();
-  const double gravity = std::sqrt(spacing / std::max(gravity_.norm(), 1e-12));
-  const double viscous = 0.2 * spacing * spacing / std::max(parameters_.kinematic_viscosity(), 1e-12);
-  const double courant = courant_number(parameters_, answers_to_walls * wall_speed > propagation_speed_);
+  const double spacing = water_.spacing;
+  const double gravity = std::sqrt(spacing / std::max(water_.gravity.norm(), 1e-12));
+  const double viscous = 0.2 * spacing * spacing / std::max(water_.kinematic_viscosity, 1e-12);
+  const double courant = answers_to_walls * wall_speed > propagation_speed_ ? water_.method.courant_driven
+                                                                            : water_.method.courant;
   const double advective = courant * spacing / std::max(speed, 1e-12);
   const double longest = std::min({advective, viscous, courant * gravity});
   if (!open_surface()) return longest;

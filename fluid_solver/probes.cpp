@@ -1,17 +1,11 @@
 #include "fluid_solver/probes.hpp"
 
-#include "common/case/probe_columns.hpp"
 #include "fluid_solver/body_load.hpp"
 #include "fluid_solver/gauges.hpp"
 #include "fluid_solver/wall_load.hpp"
 
 namespace cosurge::fluid {
 namespace {
-
-template <int dim>
-Vec<dim> position_of(const v1::Probe& probe) {
-  return Eigen::Map<const Vec<dim>>(probe.position().data());
-}
 
 /// The part of the walls that a probe moves with.
 std::size_t part_of(const ProbeMount& mount) {
@@ -21,24 +15,21 @@ std::size_t part_of(const ProbeMount& mount) {
 }  // namespace
 
 template <int dim>
-Probes<dim>::Probes(const v1::Case& the_case, const Mps<dim>& mps, const Interface& interface) : mps_(mps) {
-  for (const v1::Probe& probe : the_case.output().probe()) {
-    if (probe.quantity() != v1::Probe::displacement) add(probe, mount_of(the_case, probe), interface);
-  }
+Probes<dim>::Probes(const std::vector<Probe<dim>>& probes, const Mps<dim>& mps, const Interface& interface)
+    : mps_(mps) {
+  for (const Probe<dim>& probe : probes) add(probe, interface);
 }
 
 template <int dim>
-void Probes<dim>::add(const v1::Probe& probe, const ProbeMount& mount, const Interface& interface) {
-  switch (probe.quantity()) {
-    case v1::Probe::displacement:
-      return;  // the solid's
-    case v1::Probe::pressure:
-      return add_pressure(probe, mount, interface);
-    case v1::Probe::level:
+void Probes<dim>::add(const Probe<dim>& probe, const Interface& interface) {
+  switch (probe.quantity) {
+    case Quantity::pressure:
+      return add_pressure(probe, interface);
+    case Quantity::level:
       return add_level(probe);
-    case v1::Probe::force:
-    case v1::Probe::moment:
-      return add_load(probe, mount, interface);
+    case Quantity::force:
+    case Quantity::moment:
+      return add_load(probe, interface);
   }
 }
 
@@ -52,30 +43,31 @@ void Probes<dim>::add_value(const std::string& name, const std::string& unit,
 }
 
 template <int dim>
-void Probes<dim>::add_pressure(const v1::Probe& probe, const ProbeMount& mount, const Interface& interface) {
-  const Vector x = position_of<dim>(probe);
+void Probes<dim>::add_pressure(const Probe<dim>& probe, const Interface& interface) {
+  const Vector& x = probe.position;
+  const ProbeMount& mount = probe.mount;
   if (mount.on == ProbeMount::On::body) {
-    add_value(probe.name(), "Pa",
-              [at = SurfacePressureProbe<dim>(probe.name(), x, interface, mps_.spacing())](
+    add_value(probe.name, "Pa",
+              [at = SurfacePressureProbe<dim>(probe.name, x, interface, mps_.spacing())](
                   const ProbeInput& input) { return at.read(input.surface.pressure); });
     return;
   }
   const Walls<dim>& walls = mps_.walls();
   const Vector on = mount.on == ProbeMount::On::obstacle ? walls.obstacle(mount.number).nearest(x) : x;
-  add_value(probe.name(), "Pa", [this, &walls, on, part = part_of(mount)](const ProbeInput& input) {
+  add_value(probe.name, "Pa", [this, &walls, on, part = part_of(mount)](const ProbeInput& input) {
     return pressure_at(mps_, walls.motion(part).place(on, input.end));
   });
 }
 
 /// The line is fixed to the tank and goes up from its floor.
 template <int dim>
-void Probes<dim>::add_level(const v1::Probe& probe) {
+void Probes<dim>::add_level(const Probe<dim>& probe) {
   const Motion<dim>& tank = mps_.walls().motion(0);
   const double floor = mps_.walls().tank().min[dim - 1];
-  Vector foot = position_of<dim>(probe);
+  Vector foot = probe.position;
   foot[dim - 1] = floor;
   has_levels_ = true;
-  add_value(probe.name(), "m", [this, &tank, foot, floor](const ProbeInput& input) {
+  add_value(probe.name, "m", [this, &tank, foot, floor](const ProbeInput& input) {
     const GaugeLine<dim> line{.foot = tank.place(foot, input.end),
                               .up = tank.turned(input.end) * Vector::Unit(dim - 1)};
     return floor + level_over(mps_, parts_, line, mps_.spacing());
@@ -83,24 +75,25 @@ void Probes<dim>::add_level(const v1::Probe& probe) {
 }
 
 template <int dim>
-void Probes<dim>::add_load(const v1::Probe& probe, const ProbeMount& mount, const Interface& interface) {
-  const bool moment = probe.quantity() == v1::Probe::moment;
-  for (const std::string& name : probe_columns(probe, dim)) columns_.push_back({name, moment ? "N m" : "N"});
-  readers_.push_back([load = load_on(mount, position_of<dim>(probe), interface), moment](
-                         const ProbeInput& input, std::vector<double>& values) {
-    const Load<dim> of = load(input);
-    if (!moment)
-      values.insert(values.end(), of.force.begin(), of.force.end());
-    else if (dim == 3)
-      values.insert(values.end(), of.moment.begin(), of.moment.end());
-    else
-      values.push_back(of.moment[2]);
-  });
+void Probes<dim>::add_load(const Probe<dim>& probe, const Interface& interface) {
+  const bool moment = probe.quantity == Quantity::moment;
+  for (const std::string& name : probe.columns) columns_.push_back({name, moment ? "N m" : "N"});
+  readers_.push_back(
+      [load = load_on(probe, interface), moment](const ProbeInput& input, std::vector<double>& values) {
+        const Load<dim> of = load(input);
+        if (!moment)
+          values.insert(values.end(), of.force.begin(), of.force.end());
+        else if (dim == 3)
+          values.insert(values.end(), of.moment.begin(), of.moment.end());
+        else
+          values.push_back(of.moment[2]);
+      });
 }
 
 template <int dim>
-auto Probes<dim>::load_on(const ProbeMount& mount, const Vector& about, const Interface& interface)
-    -> ReadLoad {
+auto Probes<dim>::load_on(const Probe<dim>& probe, const Interface& interface) -> ReadLoad {
+  const ProbeMount& mount = probe.mount;
+  const Vector& about = probe.position;
   if (mount.on == ProbeMount::On::body)
     return [load = BodyLoad<dim>(interface, mount.number, about, mps_.spacing())](const ProbeInput& input) {
       return load.read(input.surface);

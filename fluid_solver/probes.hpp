@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "common/case/probe_mount.hpp"
 #include "fluid_solver/load.hpp"
 #include "fluid_solver/mps.hpp"
+#include "fluid_solver/probe.hpp"
 #include "fluid_solver/water_level.hpp"
 
 namespace cosurge::fluid {
@@ -23,7 +23,7 @@ template <int dim>
 class Probes {
  public:
   /// @throws Error where a probe of a body's pressure has no wet face within a spacing.
-  Probes(const v1::Case& the_case, const Mps<dim>& mps, const Interface& interface);
+  Probes(const std::vector<Probe<dim>>& probes, const Mps<dim>& mps, const Interface& interface);
 
   /// Name and unit of each value.
   const std::vector<Column>& columns() const { return columns_; }
@@ -34,13 +34,13 @@ class Probes {
   using Vector = Vec<dim>;
   using ReadLoad = std::function<Load<dim>(const ProbeInput&)>;
 
-  void add(const v1::Probe& probe, const ProbeMount& mount, const Interface& interface);
+  void add(const Probe<dim>& probe, const Interface& interface);
   void add_value(const std::string& name, const std::string& unit,
                  std::function<double(const ProbeInput&)> read);
-  void add_pressure(const v1::Probe& probe, const ProbeMount& mount, const Interface& interface);
-  void add_level(const v1::Probe& probe);
-  void add_load(const v1::Probe& probe, const ProbeMount& mount, const Interface& interface);
-  ReadLoad load_on(const ProbeMount& mount, const Vector& about, const Interface& interface);
+  void add_pressure(const Probe<dim>& probe, const Interface& interface);
+  void add_level(const Probe<dim>& probe);
+  void add_load(const Probe<dim>& probe, const Interface& interface);
+  ReadLoad load_on(const Probe<dim>& probe, const Interface& interface);
 
   const Mps<dim>& mps_;
   std::vector<Column> columns_;

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "common/case/probe_mount.hpp"
+#include "common/geometry/probe_mount.hpp"
 #include "fluid_solver/face_pieces.hpp"
 #include "fluid_solver/load.hpp"
 #include "fluid_solver/mps.hpp"

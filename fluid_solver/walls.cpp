@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "common/case/carriers.hpp"
-#include "common/case/from_case.hpp"
 #include "common/error.hpp"
 #include "fluid_solver/fitted_layout.hpp"
 
@@ -30,17 +28,16 @@ Vec<dim> normal_at(const Shape<dim>& shape, const Vec<dim>& x, double spacing) {
 }  // namespace
 
 template <int dim>
-Walls<dim>::Walls(const v1::Fluid& fluid, int dummy_layers, bool slip)
-    : tank_(from_case<dim>(fluid.tank())),
-      spacing_(fluid.spacing()),
+Walls<dim>::Walls(const Water<dim>& water, int dummy_layers, bool slip)
+    : tank_(water.tank.box),
+      spacing_(water.spacing),
       dummy_layers_(dummy_layers),
-      thickness_((1 + dummy_layers) * fluid.spacing()),
-      tank_motion_(from_case<dim>(fluid.tank_motion())) {
+      thickness_((1 + dummy_layers) * water.spacing),
+      tank_motion_(water.tank.motion) {
   parts_.push_back(tank_part());
-  for (const v1::Obstacle& obstacle : fluid.obstacle()) {
-    const auto shape = from_case<dim>(obstacle.shape());
-    parts_.push_back(obstacle_part(fluid, obstacle, shape));
-    obstacles_.push_back(shape);
+  for (const Obstacle<dim>& obstacle : water.obstacles) {
+    parts_.push_back(obstacle_part(obstacle));
+    obstacles_.push_back(obstacle.shape);
   }
   if (slip) return;
   for (Part& part : parts_) std::fill(part.normal.begin(), part.normal.end(), Vec<dim>::Zero());
@@ -82,14 +79,11 @@ auto Walls<dim>::tank_part() const -> Part {
 }
 
 template <int dim>
-auto Walls<dim>::obstacle_part(const v1::Fluid& fluid, const v1::Obstacle& obstacle,
-                               const Shape<dim>& shape) const -> Part {
+auto Walls<dim>::obstacle_part(const Obstacle<dim>& obstacle) const -> Part {
   constexpr double nearest = 0.7;  // spacings to particles of the tank and of obstacles before
-  Part part{.place = {},
-            .normal = {},
-            .kind = {},
-            .motion = from_case<dim>(motion_of(fluid, obstacle)),
-            .with_tank = !obstacle.has_motion()};
+  const Shape<dim>& shape = obstacle.shape;
+  Part part{
+      .place = {}, .normal = {}, .kind = {}, .motion = obstacle.motion, .with_tank = obstacle.with_tank};
   if (!part.motion.moves() && !tank_motion_.moves()) part.with_tank = true;
   const bool moves = !part.with_tank;
   const PointHash<dim> others = particles_near(shape.bounds());

@@ -5,7 +5,7 @@
 #include "common/geometry/shape.hpp"
 #include "fluid_solver/particles.hpp"
 #include "fluid_solver/point_hash.hpp"
-#include "proto/case.pb.h"
+#include "fluid_solver/water.hpp"
 
 namespace cosurge::fluid {
 
@@ -20,14 +20,14 @@ struct WallParticle {
 template <int dim>
 class Walls {
  public:
-  /// The tank of the case: floor and side walls, one layer with pressure and `dummy_layers` behind it,
+  /// The tank: floor and side walls, one layer with pressure and `dummy_layers` behind it,
   /// corners filled, open at the top (the last coordinate). Obstacles: their outermost layer has pressure,
   /// those with an outline are laid out parallel to it.
   /// They may overlap each other and go into floor and side walls: a site counts once, as the tank's, or as
   /// the first obstacle's that has it. Obstacles move with the tank, or as their own motion says; what of
   /// these lies in the tank's walls at the start does not move with them.
   /// @param slip whether particles have the normals of their faces, along which water slides; else zero
-  Walls(const v1::Fluid& fluid, int dummy_layers, bool slip = true);
+  Walls(const Water<dim>& water, int dummy_layers, bool slip = true);
 
   /// Adds all wall and dummy particles.
   void add_to(Particles<dim>& particles);
@@ -95,7 +95,7 @@ class Walls {
   void require_room(std::ptrdiff_t obstacle, const Vec<dim>& x, double t) const;
   Vec<dim> tank_normal(const Vec<dim>& x) const;
   Part tank_part() const;
-  Part obstacle_part(const v1::Fluid& fluid, const v1::Obstacle& obstacle, const Shape<dim>& shape) const;
+  Part obstacle_part(const Obstacle<dim>& obstacle) const;
   PointHash<dim> particles_near(const Box<dim>& box) const;
 
   Box<dim> tank_;

@@ -104,18 +104,17 @@ Structure<dim> structure_from_case(const v1::Case& the_case) {
   const bool deformable = solid.model() != v1::SolidModel::rigid && solid.model() != v1::SolidModel::sprung;
   require(!deformable || solid.has_young_modulus(), "solid.young_modulus: missing, the model {} needs it",
           v1::SolidModel::Word_Name(solid.model()));
-  Structure<dim> structure{
-      .model = model_from_case<dim>(solid),
-      .spacing = solid_spacing(the_case),
-      .element = solid.fem().element(),
-      .material = {.density = solid.density(),
-                   .young_modulus = solid.young_modulus(),
-                   .poisson_ratio = solid.poisson_ratio(),
-                   .plane_stress = dim == 2 && solid.plane() == v1::Solid::plane_stress,
-                   .neo_hookean = solid.material() == v1::Solid::neo_hookean},
-      .damping_ratio = solid.damping_ratio(),
-      .gravity = from_case<dim>(the_case.gravity()),
-      .bodies = {}};
+  Structure<dim> structure{.model = model_from_case<dim>(solid),
+                           .spacing = solid_spacing(the_case),
+                           .element = solid.fem().element(),
+                           .material = {.density = solid.density(),
+                                        .young_modulus = solid.young_modulus(),
+                                        .poisson_ratio = solid.poisson_ratio(),
+                                        .plane_stress = dim == 2 && solid.plane() == v1::Solid::plane_stress,
+                                        .neo_hookean = solid.material() == v1::Solid::neo_hookean},
+                           .damping_ratio = solid.damping_ratio(),
+                           .gravity = from_case<dim>(the_case.gravity()),
+                           .bodies = {}};
   for (const v1::Body& body : solid.body()) structure.bodies.push_back(body_from_case<dim>(the_case, body));
   return structure;
 }

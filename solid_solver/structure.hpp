@@ -66,8 +66,8 @@ struct Spring {
   double preload;    ///< force [N] or moment [N m] on the body in its initial position
 };
 
-/// The model `sprung`: rigid bodies that move where they have a spring, and are fixed otherwise. Either one or
-/// all of the rotations in space have a spring.
+/// The model `sprung`: rigid bodies that move where they have a spring, and are fixed otherwise. Either one
+/// or all of the rotations in space have a spring.
 template <int dim>
 struct SprungParameters {
   std::optional<double> mass;     ///< mass of each body [kg]; otherwise density times volume

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fluid_solver/pressure/matrix.hpp"
-#include "proto/case.pb.h"
+#include "fluid_solver/pressure/pressure_solution.hpp"
 
 namespace cosurge::fluid {
 
@@ -41,7 +41,7 @@ class Preconditioner {
   virtual void apply(const std::vector<double>& r, std::vector<float>& z) = 0;
 };
 
-std::unique_ptr<Preconditioner> make_preconditioner(const v1::Pressure& choice);
+std::unique_ptr<Preconditioner> make_preconditioner(PressureSolution::Preconditioner choice);
 
 /// Preconditioned conjugate gradients (Barrett et al. 1994, Templates, fig. 2.5) from the start value in x,
 /// until

@@ -5,11 +5,11 @@
 
 namespace cosurge::fluid {
 
-std::unique_ptr<Preconditioner> make_preconditioner(const v1::Pressure& choice) {
-  switch (choice.preconditioner()) {
-    case v1::Pressure::aggregation:
+std::unique_ptr<Preconditioner> make_preconditioner(PressureSolution::Preconditioner choice) {
+  switch (choice) {
+    case PressureSolution::Preconditioner::aggregation:
       return std::make_unique<Aggregation>();
-    case v1::Pressure::jacobi:
+    case PressureSolution::Preconditioner::jacobi:
       return std::make_unique<Jacobi>();
   }
   throw std::logic_error("unknown preconditioner");

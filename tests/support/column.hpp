@@ -37,9 +37,7 @@ struct Column {
   const Matrix& A() const { return equation.matrix(); }
   const std::vector<double>& b() const { return equation.right_hand_side(); }
 
-  std::unique_ptr<Preconditioner> preconditioner(v1::Pressure::Preconditioner word) const {
-    v1::Pressure choice;
-    choice.set_preconditioner(word);
+  std::unique_ptr<Preconditioner> preconditioner(PressureSolution::Preconditioner choice) const {
     auto M = make_preconditioner(choice);
     M->set_up(A(), equation.cells());
     return M;

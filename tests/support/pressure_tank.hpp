@@ -4,6 +4,7 @@
 #include "common/case/from_case.hpp"
 #include "fluid_solver/bodies.hpp"
 #include "fluid_solver/pressure/poisson_equation.hpp"
+#include "tests/support/make_mps.hpp"
 #include "tests/support/water.hpp"
 
 namespace cosurge::fluid::test {
@@ -38,7 +39,7 @@ struct Tank {
     fill_with_water(p);
     walls_of<dim>(box, l0).add_to(cloud.particles);
     first_body = cloud.particles.size();
-    if (p.solid != nullptr) bodies = Bodies<dim>(*p.solid, box, l0);
+    if (p.solid != nullptr) bodies = bodies_of<dim>(*p.solid, box, l0);
     for (int k = 0; k < bodies.points(); ++k)
       cloud.particles.add(bodies.wet(k) ? Kind::body_surface : Kind::body_inner, bodies.position(k));
     cloud.neighbors.rebuild(cloud.particles);

@@ -6,6 +6,7 @@
 
 #include "common/state_bytes.hpp"
 #include "fluid_solver/mps.hpp"
+#include "tests/support/make_mps.hpp"
 #include "tests/support/water.hpp"
 
 namespace cosurge::fluid::test {
@@ -36,7 +37,7 @@ class TurningPatch {
   };
 
   explicit TurningPatch(const Choice& choice)
-      : spacing_(1.0 / choice.particles), mps_(fluid_of(choice), nullptr, Vec<2>::Zero()) {
+      : spacing_(1.0 / choice.particles), mps_(mps_of<2>(fluid_of(choice), nullptr, Vec<2>::Zero())) {
     Particles<2> turning = mps_.particles();
     for (int i = 0; i < turning.size(); ++i)
       if (turning.kind[i] == Kind::fluid)

@@ -7,6 +7,7 @@
 
 #include "common/case/bodies.hpp"
 #include "fluid_solver/density.hpp"
+#include "fluid_solver/from_case.hpp"
 #include "fluid_solver/neighbors.hpp"
 #include "fluid_solver/walls.hpp"
 #include "proto/case.pb.h"
@@ -83,7 +84,7 @@ Walls<dim> walls_of(const Box<dim>& tank, double spacing) {
   fluid.set_spacing(spacing);
   fluid.mutable_tank()->mutable_min()->Assign(tank.min.begin(), tank.min.end());
   fluid.mutable_tank()->mutable_max()->Assign(tank.max.begin(), tank.max.end());
-  return Walls<dim>(fluid, 3);
+  return Walls<dim>(water_from_case<dim>(fluid, Vec<dim>::Zero()), 3);
 }
 
 /// A structure of one body.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fluid_solver/mps.hpp"
+#include "tests/support/make_mps.hpp"
 #include "tests/support/water.hpp"
 
 namespace cosurge::fluid {
@@ -50,7 +51,7 @@ TEST(AddedMassOfAFloor, IsTheMassOfTheColumnAboveAndTheLoadAgreesWithTheAnswer) 
   fluid.set_source(v1::Fluid::mixed);
   const v1::Solid floor = test::solid_of(test::box_of({0, 0}, {0.1, 0.02}));
   for (const double dt : {1e-3, 4e-3}) {
-    Mps<2> mps(fluid, &floor, Vec<2>(0, -9.81));
+    auto mps = test::mps_of<2>(fluid, &floor, Vec<2>(0, -9.81));
     Surface surface = Surface::at_rest(2, mps.bodies().points());
     Field up = Field::Zero(2, mps.bodies().points());
     up.row(1).setOnes();
@@ -81,7 +82,8 @@ TEST(AddedMassOfAFloor, GivesTheLoadOfTheMotionThatItCausesAlsoWhileTheModesPres
       test::tank_of_water(l0, test::box_of({0, 0}, {0.1, 0.3}), {test::box_of({0, 0.02}, {0.1, 0.22})});
   fluid.set_source(v1::Fluid::mixed);
   const v1::Solid floor = test::solid_of(test::box_of({0, 0}, {0.1, 0.02}));
-  Mps<2> coupled(fluid, &floor, Vec<2>(0, -9.81)), told(fluid, &floor, Vec<2>(0, -9.81));
+  auto coupled = test::mps_of<2>(fluid, &floor, {0, -9.81});
+  auto told = test::mps_of<2>(fluid, &floor, {0, -9.81});
   Surface surface = Surface::at_rest(2, coupled.bodies().points());
   Field up = Field::Zero(2, coupled.bodies().points());
   up.row(1).setOnes();

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include "tests/support/make_mps.hpp"
 #include "tests/support/outlines.hpp"
 #include "tests/support/water.hpp"
 
@@ -20,8 +21,10 @@ constexpr double rounding = 1e-13;  // for areas of order l0 and coordinates of 
 const Box<2> tank2({0, 0}, {0.5, 0.5});
 const Box<3> tank3({0, 0, 0}, {0.5, 0.5, 0.5});
 
-Bodies<2> free_plate() { return {solid_of(box_of({0.1, 0.1}, {0.14, 0.17})), tank2, l0}; }
-Bodies<3> free_brick() { return {solid_of(box_of({0.1, 0.1, 0.1}, {0.14, 0.17, 0.13})), tank3, l0}; }
+Bodies<2> free_plate() { return test::bodies_of<2>(solid_of(box_of({0.1, 0.1}, {0.14, 0.17})), tank2, l0); }
+Bodies<3> free_brick() {
+  return test::bodies_of<3>(solid_of(box_of({0.1, 0.1, 0.1}, {0.14, 0.17, 0.13})), tank3, l0);
+}
 
 template <int dim>
 Field affine(const Bodies<dim>& bodies, const Mat<dim>& F, const Vec<dim>& shift) {
@@ -51,8 +54,8 @@ TEST(BodySurface, AreasOfAnOutlineAddUpToNothingAndFaceWhatTheyProject) {
   v1::Solid disk, corner;
   *disk.add_body()->mutable_shape() = cosurge::test::disk({0.212, 0.207}, 0.1);
   *corner.add_body()->mutable_shape() = cosurge::test::tetrahedron(0.2, {0.1, 0.11, 0.12});
-  const Bodies<2> flat(disk, tank2, l0);
-  const Bodies<3> solid(corner, tank3, l0);
+  const auto flat = test::bodies_of<2>(disk, tank2, l0);
+  const auto solid = test::bodies_of<3>(corner, tank3, l0);
   EXPECT_LT(flat.interface().area.rowwise().sum().norm(), rounding * l0);
   EXPECT_LT(solid.interface().area.rowwise().sum().norm(), rounding * l0);
   // What faces one way along an axis is the shadow along it: the diameter, the leg's triangle; a site more or
@@ -129,11 +132,11 @@ double facing(const Bodies<dim>& bodies, int axis, double side) {
 
 TEST(BodySurface, FacesTowardsAClampAndTheFloorAreNotWet) {
   const v1::Box plate = box_of({0.1, 0}, {0.13, 0.08});
-  const Bodies<2> on_floor(solid_of(plate), tank2, l0);
-  const Bodies<2> clamped(solid_of(plate, {box_of({0.1, -0.03}, {0.13, 0})}), tank2, l0);
-  const Bodies<2> hanging(solid_of(box_of({0.1, 0.2}, {0.13, 0.28}), {box_of({0.1, 0.28}, {0.13, 0.3})}),
-                          tank2, l0);
-  const Bodies<2> at_side(solid_of(box_of({0, 0.2}, {0.08, 0.23})), tank2, l0);
+  const auto on_floor = test::bodies_of<2>(solid_of(plate), tank2, l0);
+  const auto clamped = test::bodies_of<2>(solid_of(plate, {box_of({0.1, -0.03}, {0.13, 0})}), tank2, l0);
+  const auto hanging = test::bodies_of<2>(
+      solid_of(box_of({0.1, 0.2}, {0.13, 0.28}), {box_of({0.1, 0.28}, {0.13, 0.3})}), tank2, l0);
+  const auto at_side = test::bodies_of<2>(solid_of(box_of({0, 0.2}, {0.08, 0.23})), tank2, l0);
   EXPECT_NEAR(facing(on_floor, 1, -1), 0, rounding);
   EXPECT_NEAR(facing(clamped, 1, -1), 0, rounding);
   EXPECT_NEAR(facing(clamped, 1, +1), 3 * l0, rounding);
@@ -148,7 +151,7 @@ TEST(BodySurface, FacesTowardsAClampAndTheFloorAreNotWet) {
 TEST(BodySurface, BodiesThatTouchKeepTheirOwnDeformation) {
   v1::Solid solid = solid_of(box_of({0.1, 0.1}, {0.13, 0.14}));
   *solid.add_body()->mutable_box() = box_of({0.13, 0.1}, {0.16, 0.14});
-  const Bodies<2> bodies(solid, tank2, l0);
+  const auto bodies = test::bodies_of<2>(solid, tank2, l0);
   Field displacement = Field::Zero(2, bodies.points());
   const Interface interface = bodies.interface();
   for (int k = 0; k < bodies.points(); ++k)

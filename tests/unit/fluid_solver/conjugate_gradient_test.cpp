@@ -10,7 +10,9 @@ namespace cosurge::fluid {
 namespace {
 
 using Vector = std::vector<double>;
-using Choice = v1::Pressure::Preconditioner;
+using Choice = PressureSolution::Preconditioner;
+
+std::string name_of(Choice choice) { return choice == Choice::jacobi ? "jacobi" : "aggregation"; }
 
 using test::Column;
 
@@ -37,8 +39,8 @@ double true_residual(const Matrix& A, const Vector& b, const Vector& x) {
 
 class ConjugateGradient : public ::testing::TestWithParam<Choice> {};
 INSTANTIATE_TEST_SUITE_P(Preconditioners, ConjugateGradient,
-                         ::testing::Values(v1::Pressure::aggregation, v1::Pressure::jacobi),
-                         [](const auto& word) { return v1::Pressure::Preconditioner_Name(word.param); });
+                         ::testing::Values(Choice::aggregation, Choice::jacobi),
+                         [](const auto& word) { return name_of(word.param); });
 
 TEST_P(ConjugateGradient, ReachesTenDigitsAndReportsTheTrueResidual) {
   const Column column(36);
@@ -130,21 +132,20 @@ TEST(Iterations, HardlyGrowWithAggregationAndDoubleWithTheResolutionWithout) {
   std::map<Choice, std::map<int, int>> iterations;
   for (const int width : {36, 72, 144}) {  // 2 556, 10 296, 41 328 unknowns
     const Column column(width);
-    for (const Choice word : {v1::Pressure::aggregation, v1::Pressure::jacobi}) {
+    for (const Choice word : {Choice::aggregation, Choice::jacobi}) {
       Vector x(column.b().size(), 0.0);
       const SolveReport report = solve(column, word, 1e-3, 5000, x);
       EXPECT_TRUE(report.converged);
       iterations[word][width] = report.iterations;
-      RecordProperty(v1::Pressure::Preconditioner_Name(word) + "_" + std::to_string(width),
-                     report.iterations);
+      RecordProperty(name_of(word) + "_" + std::to_string(width), report.iterations);
     }
   }
   const auto growth = [&](Choice word) {
     return static_cast<double>(iterations[word][144]) / iterations[word][36];
   };
-  EXPECT_LT(growth(v1::Pressure::aggregation), 2);
-  EXPECT_GT(growth(v1::Pressure::jacobi), 3);  // the condition goes with 1 / l0^2: 4 in theory
-  EXPECT_LT(iterations[v1::Pressure::aggregation][144], 20);
+  EXPECT_LT(growth(Choice::aggregation), 2);
+  EXPECT_GT(growth(Choice::jacobi), 3);  // the condition goes with 1 / l0^2: 4 in theory
+  EXPECT_LT(iterations[Choice::aggregation][144], 20);
 }
 
 // Spray: particles without a surface hang on the compressibility alone.
@@ -154,7 +155,7 @@ TEST(Iterations, GroupsWithoutAFreeSurfaceAreSolvedToo) {
   for (int i = 0; i < particles.size(); ++i) particles.x[i][0] += particles.x[i][0] > 0.08 ? 0.02 : 0;
   Neighbors<2> neighbors({{-0.02, -0.02}, {0.3, 0.3}}, 2.1 * Column::l0);
   neighbors.rebuild(particles);
-  for (const Choice word : {v1::Pressure::aggregation, v1::Pressure::jacobi}) {
+  for (const Choice word : {Choice::aggregation, Choice::jacobi}) {
     PoissonEquation<2> equation({.spacing = Column::l0,
                                  .re = 4 * Column::l0,
                                  .density = 1000,
@@ -162,9 +163,7 @@ TEST(Iterations, GroupsWithoutAFreeSurfaceAreSolvedToo) {
                                  .gravity = {0, 0}});
     equation.assemble(particles, neighbors.grid(), {}, 1e-4);
     equation.set_source(Vector(particles.x.size(), 1.0));
-    v1::Pressure choice;
-    choice.set_preconditioner(word);
-    const auto M = make_preconditioner(choice);
+    const auto M = make_preconditioner(word);
     M->set_up(equation.matrix(), equation.cells());
     Vector x(equation.right_hand_side().size(), 0.0);
     EXPECT_TRUE(

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "fluid_solver/mps.hpp"
+#include "tests/support/make_mps.hpp"
 #include "tests/support/water.hpp"
 
 namespace cosurge::fluid {
@@ -17,7 +18,7 @@ constexpr double l0 = 0.01, g = 9.81;
 
 /// Load along x on each body after a step.
 std::vector<double> loads(const v1::Fluid& fluid, const v1::Solid& solid) {
-  Mps<2> mps(fluid, &solid, {0, -g});
+  auto mps = test::mps_of<2>(fluid, &solid, {0, -g});
   const int points = mps.bodies().points();
   (void)mps.step(0, 1e-5);
   Surface surface = Surface::at_rest(2, points);
@@ -64,7 +65,7 @@ TEST(CoveredFaces, CloseAsAPlateComesToAnObstacle) {
   const v1::Solid solid = plate();
   v1::Fluid fluid = water_on_the_left();
   add_block(fluid, 0.36);
-  Mps<2> mps(fluid, &solid, {0, -g});
+  auto mps = test::mps_of<2>(fluid, &solid, {0, -g});
   const auto wet_points = [&](double gap) {
     const int points = mps.bodies().points();
     mps.move_bodies(Vec<2>(0.02 - gap, 0).replicate(1, points), Field::Zero(2, points));
@@ -83,7 +84,8 @@ TEST(CoveredFaces, CloseAsAPlateComesToAnObstacle) {
 /// Open faces towards +x of a body beside a wall at a distance, with or without water between them, where the
 /// faces were open before as `covered` knows.
 double open_to_the_right(CoveredFaces<2>& covered, double gap, bool water) {
-  const Bodies<2> bodies(test::solid_of(box_of({0, 0}, {0.04, 0.08})), Box<2>({-1, -1}, {1, 1}), l0);
+  const auto bodies =
+      test::bodies_of<2>(test::solid_of(box_of({0, 0}, {0.04, 0.08})), Box<2>({-1, -1}, {1, 1}), l0);
   Particles<2> particles;
   std::vector<Vec<2>> wall = fill(Box<2>({0.04, 0}, {0.07, 0.08}), l0);
   for (const Vec<2>& x : wall) particles.add(Kind::dummy, x + Vec<2>(gap, 0));

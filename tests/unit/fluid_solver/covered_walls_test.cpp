@@ -7,6 +7,7 @@
 
 #include "common/case/from_case.hpp"
 #include "fluid_solver/bodies.hpp"
+#include "tests/support/make_mps.hpp"
 #include "tests/support/water.hpp"
 
 namespace cosurge::fluid {
@@ -25,9 +26,9 @@ struct Scene {
   explicit Scene(const v1::Box& box, const Vec<2>& shift = Vec<2>::Zero()) {
     fluid.set_spacing(l0);
     *fluid.mutable_tank() = test::box_of({0, 0}, {0.1, 0.1});
-    walls = std::make_unique<Walls<2>>(fluid, 3);
+    walls = std::make_unique<Walls<2>>(water_from_case<2>(fluid, Vec<2>::Zero()), 3);
     walls->add_to(particles);
-    const Bodies<2> bodies(test::solid_of(box), from_case<2>(fluid.tank()), l0);
+    const auto bodies = test::bodies_of<2>(test::solid_of(box), from_case<2>(fluid.tank()), l0);
     for (int k = 0; k < bodies.points(); ++k) {
       particles.add(bodies.wet(k) ? Kind::body_surface : Kind::body_inner, bodies.position(k) + shift);
       particles.u.back() = {1, 2};
@@ -111,7 +112,7 @@ TEST(CoverWalls, AMovingObstacleCoversTheTankAndNotTheTankTheObstacle) {
       for (const double a : {amplitude, 0.0}) piston->mutable_motion()->add_amplitude(a);
       piston->mutable_motion()->set_frequency(1);
     }
-    Walls<2> walls(fluid, 3);
+    Walls<2> walls(water_from_case<2>(fluid, Vec<2>::Zero()), 3);
     Particles<2> particles;
     walls.add_to(particles);
     Neighbors<2> neighbors(walls.domain(), 2.1 * l0);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "fluid_solver/mps.hpp"
+#include "tests/support/make_mps.hpp"
 #include "tests/support/water.hpp"
 
 namespace cosurge::fluid {
@@ -17,7 +18,7 @@ constexpr double g = 9.81;
 template <int dim>
 Surface load_at_rest(const v1::Fluid& fluid, const v1::Solid& solid, const Mps<dim>*& kept,
                      std::unique_ptr<Mps<dim>>& mps) {
-  mps = std::make_unique<Mps<dim>>(fluid, &solid, -g * Vec<dim>::Unit(dim - 1));
+  mps = std::make_unique<Mps<dim>>(test::mps_of<dim>(fluid, &solid, -g * Vec<dim>::Unit(dim - 1)));
   (void)mps->step(0, 1e-5);
   Surface surface = Surface::at_rest(dim, mps->bodies().points());
   mps->load(surface);
@@ -82,8 +83,8 @@ TEST(FaceLoad, ThePressureThatAFaceHasIsThatOfItsDepth) {
 
 TEST(FaceLoad, TurnsWithTheBody) {
   const double l0 = 0.01;
-  const Bodies<2> body(solid_of(box_of({0, 0}, {0.05, 0.05})), {Vec<2>::Constant(-1), Vec<2>::Constant(1)},
-                       l0);
+  const auto body = test::bodies_of<2>(solid_of(box_of({0, 0}, {0.05, 0.05})),
+                                       {Vec<2>::Constant(-1), Vec<2>::Constant(1)}, l0);
   Mat<2> R;
   R << 0.8, -0.6, 0.6, 0.8;
   Field displacement(2, body.points());

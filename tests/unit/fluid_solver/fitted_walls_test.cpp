@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fluid_solver/mps.hpp"
+#include "tests/support/make_mps.hpp"
 #include "tests/support/wall_layouts.hpp"
 #include "tests/support/water.hpp"
 
@@ -24,7 +25,7 @@ v1::Fluid tank_with_beach() {
 
 TEST(FittedWalls, ABeachGoesDownToTheFloorWithoutCrowdingIt) {
   Particles<2> particles;
-  Walls<2>(tank_with_beach(), 3).add_to(particles);
+  Walls<2>(water_from_case<2>(tank_with_beach(), Vec<2>::Zero()), 3).add_to(particles);
   double toe = 1, least = 1;
   for (int i = 0; i < particles.size(); ++i) {
     if (particles.kind[i] == Kind::wall && particles.x[i][1] > 0) toe = std::min(toe, particles.x[i][0]);
@@ -36,7 +37,7 @@ TEST(FittedWalls, ABeachGoesDownToTheFloorWithoutCrowdingIt) {
 
 TEST(FittedWalls, WaterRestsOnABeach) {
   constexpr double rho_g = 1000 * 9.81, end = 0.25, dt = 1e-3;
-  Mps<2> mps(tank_with_beach(), nullptr, {0, -9.81});
+  auto mps = test::mps_of<2>(tank_with_beach(), nullptr, {0, -9.81});
   double error = 0;
   int count = 0;
   for (int k = 0; k * dt < end; ++k) {

@@ -5,6 +5,7 @@
 #include "common/error.hpp"
 #include "common/state_bytes.hpp"
 #include "fluid_solver/snap_to_face.hpp"
+#include "tests/support/make_mps.hpp"
 #include "tests/support/water.hpp"
 
 namespace cosurge::fluid {
@@ -16,8 +17,9 @@ constexpr double rho_g = 9810;
 /// Water 0.1 m deep at rest in a tank of 0.3 m, with the pressure rho g (0.1 m - y) + slope x on everything
 /// that has one, and the water's particles moved by up to `disorder` spacings.
 Mps<2> still_water(double disorder, double slope) {
-  Mps<2> mps(test::tank_of_water(l0, test::box_of({0, 0}, {0.3, 0.3}), {test::box_of({0, 0}, {0.3, 0.1})}),
-             nullptr, {0, -9.81});
+  auto mps = test::mps_of<2>(
+      test::tank_of_water(l0, test::box_of({0, 0}, {0.3, 0.3}), {test::box_of({0, 0}, {0.3, 0.1})}), nullptr,
+      {0, -9.81});
   Particles<2> particles = mps.particles();
   std::mt19937 random(4);
   std::uniform_real_distribution<double> shift(-disorder * l0, disorder * l0);
@@ -52,8 +54,8 @@ TEST(PressureGauge, IsZeroInTheDryAndOutside) {
 
 TEST(SnapToFace, FindsTheNearestPointOfTheWetFaces) {
   // A plate of 4 x 8 sites on the floor: its left, right and upper faces are wet.
-  const Bodies<2> bodies(test::solid_of(test::box_of({0.1, 0}, {0.14, 0.08})), Box<2>({0, 0}, {0.3, 0.3}),
-                         l0);
+  const auto bodies = test::bodies_of<2>(test::solid_of(test::box_of({0.1, 0}, {0.14, 0.08})),
+                                         Box<2>({0, 0}, {0.3, 0.3}), l0);
   const Interface interface = bodies.interface();
   const auto snapped = [&](const Vec<2>& x) { return snap_to_face<2>("p", x, interface, l0); };
   const std::vector<std::pair<Vec<2>, Vec<2>>> points = {
@@ -65,8 +67,8 @@ TEST(SnapToFace, FindsTheNearestPointOfTheWetFaces) {
 }
 
 TEST(SnapToFace, NamesTheNearestFaceWhereItIsFartherThanASpacing) {
-  const Bodies<2> bodies(test::solid_of(test::box_of({0.1, 0}, {0.14, 0.08})), Box<2>({0, 0}, {0.3, 0.3}),
-                         l0);
+  const auto bodies = test::bodies_of<2>(test::solid_of(test::box_of({0.1, 0}, {0.14, 0.08})),
+                                         Box<2>({0, 0}, {0.3, 0.3}), l0);
   try {
     snap_to_face<2>("middle", {0.118, 0.04}, bodies.interface(), l0);
     FAIL();
@@ -79,8 +81,8 @@ TEST(SnapToFace, NamesTheNearestFaceWhereItIsFartherThanASpacing) {
 
 TEST(SurfacePressureProbe, InterpolatesAlongTheFaceAndSeesNoOther) {
   // A plate of 4 x 8 sites; pressure linear along its left face, 1e9 elsewhere.
-  const Bodies<2> bodies(test::solid_of(test::box_of({0.1, 0}, {0.14, 0.08})), Box<2>({0, 0}, {0.3, 0.3}),
-                         l0);
+  const auto bodies = test::bodies_of<2>(test::solid_of(test::box_of({0.1, 0}, {0.14, 0.08})),
+                                         Box<2>({0, 0}, {0.3, 0.3}), l0);
   const Interface interface = bodies.interface();
   Eigen::VectorXd pressure(interface.points());
   for (Eigen::Index k = 0; k < interface.points(); ++k)
@@ -94,7 +96,7 @@ TEST(SurfacePressureProbe, InterpolatesAlongTheFaceAndSeesNoOther) {
 }
 
 TEST(WaterSurvey, TheFrontIsOfWaterThatHangsTogether) {
-  const Mps<2> mps(
+  const auto mps = test::mps_of<2>(
       test::tank_of_water(l0, test::box_of({0, 0}, {0.3, 0.3}),
                           {test::box_of({0, 0}, {0.1, 0.1}), test::box_of({0.2, 0}, {0.21, 0.01})}),
       nullptr, {0, -9.81});

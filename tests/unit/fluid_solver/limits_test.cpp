@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/error.hpp"
+#include "tests/support/make_mps.hpp"
 #include "tests/support/turning_patch.hpp"
 
 namespace cosurge::fluid {
@@ -25,7 +26,7 @@ TEST(MpsSuction, ReachesDownToTheLowestPressureOfTheCase) {
         tank_of_water(l0, box_of({0, 0}, {0.1, 0.4}), {box_of({0, 0.05}, {0.1, 0.05 + height})});
     fluid.set_source(v1::Fluid::mixed);
     fluid.set_lowest_pressure(lowest);
-    Mps<2> mps(fluid, &floor, down);
+    auto mps = test::mps_of<2>(fluid, &floor, down);
     Surface surface = Surface::at_rest(2, mps.bodies().points());
     surface.velocity.row(1).setConstant(-3 * g * dt);
     mps.move_bodies(surface.displacement, surface.velocity);
@@ -62,7 +63,7 @@ int lost_in_collapse(v1::Fluid::Source source, double courant, double end) {
   fluid.set_source(source);
   fluid.set_propagation_speed(1);
   fluid.set_courant(courant);
-  Mps<2> mps(fluid, nullptr, down);
+  auto mps = test::mps_of<2>(fluid, nullptr, down);
   for (double t = 0, dt = mps.first_window(end); t < end;) {
     const StepReport step = mps.step(t, dt);
     t += dt;
@@ -101,7 +102,7 @@ TEST(MpsCompressibility, IsThatOfTheCaseWhateverTheStep) {
     fluid.set_source(v1::Fluid::time_scale);
     fluid.set_propagation_speed(speed);
     fluid.set_compressibility(alpha);
-    Mps<2> mps(fluid, nullptr, down);
+    auto mps = test::mps_of<2>(fluid, nullptr, down);
     for (int k = 0; k < std::lround(0.6 / dt); ++k) (void)mps.step(k * dt, dt);
     return test::filled(mps, l0, {{0, 0.03}, {0.1, 0.07}}) - 1;
   };

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "common/error.hpp"
+#include "tests/support/make_mps.hpp"
 #include "tests/support/water.hpp"
 
 namespace cosurge::fluid {
@@ -40,7 +41,7 @@ struct Scene {
 
 TEST(LostWater, IsCountedAtTheSideWhereItWasLast) {
   Scene scene;
-  LostWater<2> lost(scene.fluid, scene.particles);
+  LostWater<2> lost(water_from_case<2>(scene.fluid, Vec<2>::Zero()), scene.particles);
   EXPECT_THAT(lost.values(), ElementsAre(10, 0, 0, 0, 0, 0));
   EXPECT_EQ(lost.columns()[1].name, "lost_x_min");
   EXPECT_EQ(lost.columns()[4].name, "lost_y_max");
@@ -62,7 +63,7 @@ TEST(LostWater, IsSeenFromTheMovingTank) {
   Scene scene;
   for (const double value : {0.0, 0.0, 0.0, 0.0, 1.0, 5.0, 0.0, 0.0})
     scene.fluid.mutable_tank_motion()->add_row(value);
-  LostWater<2> lost(scene.fluid, scene.particles);
+  LostWater<2> lost(water_from_case<2>(scene.fluid, Vec<2>::Zero()), scene.particles);
   scene.put(3, {5.01, 0.5});  // the tank is at x = 5 to 6 m
   lost.before_step(scene.particles);
   scene.take(3);
@@ -72,7 +73,7 @@ TEST(LostWater, IsSeenFromTheMovingTank) {
 
 TEST(LostWater, EndsTheRunWhereItIsMoreThanAllowed) {
   Scene scene(0.1);
-  LostWater<2> lost(scene.fluid, scene.particles);
+  LostWater<2> lost(water_from_case<2>(scene.fluid, Vec<2>::Zero()), scene.particles);
   scene.put(1, {1.05, 0.5});
   scene.put(2, {1.05, 0.6});
   lost.before_step(scene.particles);
@@ -93,7 +94,7 @@ TEST(LostWater, EndsTheRunWhereItIsMoreThanAllowed) {
 
 TEST(LostWater, IsToldToStayUnderARoofWhereItLeavesOverTheRim) {
   Scene scene(0.1);
-  LostWater<2> lost(scene.fluid, scene.particles);
+  LostWater<2> lost(water_from_case<2>(scene.fluid, Vec<2>::Zero()), scene.particles);
   scene.put(1, {-0.01, 1.2});
   scene.put(2, {0.2, 1.1});
   lost.before_step(scene.particles);
@@ -108,14 +109,14 @@ TEST(LostWater, IsToldToStayUnderARoofWhereItLeavesOverTheRim) {
 
 TEST(LostWater, IsSavedAndRestored) {
   Scene scene;
-  LostWater<2> lost(scene.fluid, scene.particles);
+  LostWater<2> lost(water_from_case<2>(scene.fluid, Vec<2>::Zero()), scene.particles);
   lost.before_step(scene.particles);
   scene.take(0);
   lost.after_step(scene.particles, 0.1);
   StateWriter out;
   lost.save(out);
   const std::string bytes = out.take();
-  LostWater<2> other(scene.fluid, Scene().particles);
+  LostWater<2> other(water_from_case<2>(scene.fluid, Vec<2>::Zero()), Scene().particles);
   StateReader in(bytes);
   other.restore(in);
   EXPECT_EQ(other.values(), lost.values());

@@ -8,6 +8,7 @@
 #include "common/error.hpp"
 #include "common/threads.hpp"
 #include "fluid_solver/mps.hpp"
+#include "tests/support/make_mps.hpp"
 #include "tests/support/small_dam_break.hpp"
 
 namespace cosurge::fluid {
@@ -21,8 +22,8 @@ using test::small_dam_break;
 using test::tank_of_water;
 
 TEST(MpsState, ContinuesBitForBitInAFreshObject) {
-  Mps<2> whole(small_dam_break(), &plate, down);
-  Mps<2> fresh(small_dam_break(), &plate, down);
+  auto whole = test::mps_of<2>(small_dam_break(), &plate, down);
+  auto fresh = test::mps_of<2>(small_dam_break(), &plate, down);
   constexpr double dt = 1e-3;
   for (int k = 0; k < 20; ++k) (void)whole.step(k * dt, dt);
   fresh.restore(whole.save());
@@ -39,12 +40,12 @@ TEST(MpsState, ContinuesBitForBitInAFreshObject) {
   fresh.load(b);
   EXPECT_EQ(a.force, b.force);
   EXPECT_EQ(fresh.save(), whole.save());
-  EXPECT_NE(whole.save(), Mps<2>(small_dam_break(), &plate, down).save());  // something happened
+  EXPECT_NE(whole.save(), test::mps_of<2>(small_dam_break(), &plate, down).save());  // something happened
 }
 
 /// The state begins with places, velocities, pressures and so on, each with its length before it.
 TEST(MpsState, WithAnIdTwiceOrOutOfRangeOrAWrongLengthIsRefused) {
-  Mps<2> mps(small_dam_break(), &plate, down);
+  auto mps = test::mps_of<2>(small_dam_break(), &plate, down);
   const std::string good = mps.save();
   const auto skip = [&](std::size_t at, std::size_t size_of_entry) {
     std::uint64_t count = 0;
@@ -82,7 +83,7 @@ Mps<2> water_beside_a_plate() {
   v1::Fluid fluid = tank_of_water(l0, box_of({0, 0}, {0.3, 0.3}),
                                   {box_of({0, 0}, {0.15, 0.1}), box_of({0.18, 0}, {0.3, 0.1})});
   fluid.set_source(v1::Fluid::mixed);
-  return {fluid, &plate, down};
+  return test::mps_of<2>(fluid, &plate, down);
 }
 
 struct LoadedStep {
@@ -129,7 +130,7 @@ TEST(MpsAttempts, ForgetTheVelocityOfTheAttemptBefore) {
 }
 
 TEST(MpsState, TruncatedBytesAreRefused) {
-  Mps<2> mps(small_dam_break(), nullptr, down);
+  auto mps = test::mps_of<2>(small_dam_break(), nullptr, down);
   const std::string state = mps.save();
   EXPECT_ANY_THROW(mps.restore(state.substr(0, state.size() - 1)));
   EXPECT_ANY_THROW(mps.restore(state + "x"));
@@ -142,7 +143,7 @@ TEST(MpsStep, GivesTheSameBitsForAnyNumberOfThreads) {
   std::string first;
   for (const int threads : {1, 2, 4}) {
     set_threads(threads);
-    Mps<2> mps(fluid, &plate, down);
+    auto mps = test::mps_of<2>(fluid, &plate, down);
     for (int k = 0; k < 5; ++k) (void)mps.step(k * 2e-4, 2e-4);
     if (first.empty()) first = mps.save();
     EXPECT_EQ(mps.save() == first, true) << threads;

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "common/case/window_sizes.hpp"
+#include "tests/support/make_mps.hpp"
 #include "tests/support/outlines.hpp"
 #include "tests/support/small_dam_break.hpp"
 
@@ -25,7 +26,7 @@ using test::tank_of_water;
 template <int dim>
 void expect_free_fall(const v1::Fluid& fluid, double dt) {
   const Vec<dim> gravity = -g * Vec<dim>::Unit(dim - 1);
-  Mps<dim> mps(fluid, nullptr, gravity);
+  auto mps = test::mps_of<dim>(fluid, nullptr, gravity);
   std::vector<Vec<dim>> start(static_cast<std::size_t>(mps.initial_size()));
   for (int i = 0; i < mps.particles().size(); ++i) start[mps.particles().id[i]] = mps.particles().x[i];
   constexpr int steps = 40;
@@ -63,7 +64,7 @@ TEST(MpsStep, TheConservingGradientKeepsTheMomentumOfAFreeBlock) {
     fluid.set_gamma(0.2);
     fluid.set_kinematic_viscosity(1e-3);
     fluid.mutable_collision()->set_distance(0);
-    Mps<2> mps(fluid, nullptr, down);
+    auto mps = test::mps_of<2>(fluid, nullptr, down);
     // A block that is pressed together and sheared: pressures of all sizes.
     change_velocities(mps, [](Vec<2>& u, const Vec<2>& x) {
       u = {0.5 - 3 * (x[0] - 0.17) + 2 * x[1], 0.3 * std::sin(40 * x[0])};
@@ -94,7 +95,7 @@ TEST(MpsStep, PositionsMoveWithTheVelocitiesAtTheEndOfTheStep) {
   // Pressures, collisions and viscosity all have a part in them.
   v1::Fluid fluid = small_dam_break();
   fluid.set_kinematic_viscosity(1e-3);
-  Mps<2> mps(fluid, nullptr, down);
+  auto mps = test::mps_of<2>(fluid, nullptr, down);
   change_velocities(mps, [](Vec<2>& u, const Vec<2>& x) {
     u = {2 * std::sin(700 * x[0]), -2 * std::sin(500 * x[1])};
   });
@@ -109,9 +110,9 @@ TEST(MpsStep, PositionsMoveWithTheVelocitiesAtTheEndOfTheStep) {
 }
 
 TEST(MpsStep, WaterThatLeavesThroughTheOpenTopIsCountedAsLost) {
-  Mps<2> mps(tank_of_water(l0, box_of({0, 0}, {0.1, 0.1}),
-                           {box_of({0, 0}, {0.1, 0.02}), box_of({0, 0.05}, {0.1, 0.1})}),
-             nullptr, Vec<2>::Zero());
+  auto mps = test::mps_of<2>(tank_of_water(l0, box_of({0, 0}, {0.1, 0.1}),
+                                           {box_of({0, 0}, {0.1, 0.02}), box_of({0, 0.05}, {0.1, 0.1})}),
+                             nullptr, Vec<2>::Zero());
   change_velocities(mps, [](Vec<2>& u, const Vec<2>& x) { u = {0, x[1] > 0.05 ? 1 : 0}; });
   const int before = mps.particles().size();
   constexpr double dt = 2e-3;
@@ -124,9 +125,10 @@ TEST(MpsStep, WaterThatLeavesThroughTheOpenTopIsCountedAsLost) {
 }
 
 TEST(MpsStep, WaterThatIsShotThroughAWallIsCountedAsLost) {
-  Mps<2> mps(tank_of_water(l0, box_of({0, 0}, {0.2, 0.2}),
-                           {box_of({0.02, 0.1}, {0.04, 0.12}), box_of({0.1, 0}, {0.14, 0.02})}),
-             nullptr, down);
+  auto mps =
+      test::mps_of<2>(tank_of_water(l0, box_of({0, 0}, {0.2, 0.2}),
+                                    {box_of({0.02, 0.1}, {0.04, 0.12}), box_of({0.1, 0}, {0.14, 0.02})}),
+                      nullptr, down);
   change_velocities(mps, [](Vec<2>& u, const Vec<2>& x) { u = {x[0] < 0.05 ? -10 : 0, 0}; });
   (void)mps.step(0, 6e-3);
   EXPECT_EQ(mps.initial_size() - mps.particles().size(), 4);
@@ -138,7 +140,7 @@ TEST(MpsStep, ThePropagationSpeedComesFromTheHeightOfTheWater) {
     v1::Fluid fluid = small_dam_break();
     fluid.set_source(v1::Fluid::time_scale);
     if (speed) fluid.set_propagation_speed(*speed);
-    Mps<2> mps(fluid, nullptr, down);
+    auto mps = test::mps_of<2>(fluid, nullptr, down);
     (void)mps.step(0, 1e-3);
     (void)mps.step(1e-3, 1e-3);
     return mps.particles().p;
@@ -158,7 +160,7 @@ TEST(MpsState, WaterGivesWayToABodyWithAnOutline) {
   v1::Solid solid;
   *solid.add_body()->mutable_shape() = cosurge::test::turned_box({0.1, 0}, {0.14, 0.1}, 0.3);
   const v1::Fluid fluid = tank_of_water(l0, box_of({0, 0}, {0.3, 0.3}), {box_of({0, 0}, {0.2, 0.2})});
-  const Mps<2> mps(fluid, &solid, down);
+  const auto mps = test::mps_of<2>(fluid, &solid, down);
   int sites = 0;
   for (int i = 0; i < mps.particles().size(); ++i) {
     const Vec<2>& x = mps.particles().x[i];
@@ -177,7 +179,7 @@ double floor_pressure(v1::Fluid::Source source) {
   v1::Fluid fluid = tank_of_water(l0, box_of({0, 0}, {0.2, 0.3}), {box_of({0, 0}, {0.2, depth})});
   fluid.set_source(source);
   fluid.set_compressibility(1e-12);
-  Mps<2> mps(fluid, nullptr, down);
+  auto mps = test::mps_of<2>(fluid, nullptr, down);
   (void)mps.step(0, 1e-3);
   for (int i = 0; i < mps.particles().size(); ++i)
     if ((mps.particles().x[i] - Vec<2>(0.105, -0.005)).norm() < 1e-9)
@@ -196,25 +198,25 @@ TEST(MpsStep, TheFirstPressureOfWaterAtRestIsHydrostatic) {
 
 TEST(MpsStep, ProposesTheStepThatItsFastestParticleAllows) {
   const v1::Fluid fluid = small_dam_break();
-  Mps<2> mps(fluid, nullptr, down);
+  auto mps = test::mps_of<2>(fluid, nullptr, down);
   change_velocities(mps, [](Vec<2>& u, const Vec<2>&) { u = {0, 3}; });
   const StepReport up = mps.step(0, 1e-7);
   EXPECT_NEAR(up.max_speed, 3, 0.1);
   EXPECT_NEAR(up.max_window, courant_number(fluid, false) * l0 / up.max_speed, 1e-12);
   v1::Fluid still = small_dam_break();
   still.set_kinematic_viscosity(0.1);
-  EXPECT_NEAR(Mps<2>(still, nullptr, down).step(0, 1e-6).max_window, 0.2 * l0 * l0 / 0.1, 1e-12);
+  EXPECT_NEAR(test::mps_of<2>(still, nullptr, down).step(0, 1e-6).max_window, 0.2 * l0 * l0 / 0.1, 1e-12);
   v1::Fluid slow = small_dam_break();
   slow.set_propagation_speed(0.1);
-  EXPECT_NEAR(Mps<2>(slow, nullptr, down).step(0, 1e-6).max_window,
+  EXPECT_NEAR(test::mps_of<2>(slow, nullptr, down).step(0, 1e-6).max_window,
               courant_number(slow, false) * std::sqrt(l0 / g), 1e-12);
   slow.set_propagation_speed(2);  // the rate of the density's correction
-  EXPECT_NEAR(Mps<2>(slow, nullptr, down).step(0, 1e-6).max_window, 0.5 * l0 / 2, 1e-12);
+  EXPECT_NEAR(test::mps_of<2>(slow, nullptr, down).step(0, 1e-6).max_window, 0.5 * l0 / 2, 1e-12);
 }
 
 TEST(MpsStep, TheFastestMovingBodyLimitsTheStepToo) {
   const v1::Fluid fluid = small_dam_break();
-  Mps<2> mps(fluid, &plate, down);
+  auto mps = test::mps_of<2>(fluid, &plate, down);
   Field velocity = Field::Zero(2, mps.bodies().points());
   velocity(0, 5) = -7;
   mps.move_bodies(Field::Zero(2, mps.bodies().points()), velocity);
@@ -223,7 +225,7 @@ TEST(MpsStep, TheFastestMovingBodyLimitsTheStepToo) {
 
 TEST(MpsLoad, IsMinusThePressureOnTheFaceTimesTheDeformedArea) {
   v1::Fluid fluid = tank_of_water(l0, box_of({0, 0}, {0.18, 0.3}), {box_of({0, 0}, {0.15, 0.2})});
-  Mps<2> mps(fluid, &plate, down);
+  auto mps = test::mps_of<2>(fluid, &plate, down);
   Field displacement(2, mps.bodies().points());
   for (int k = 0; k < mps.bodies().points(); ++k)
     displacement.col(k) << 0.02 * mps.bodies().position(k)[1], 0;
@@ -256,7 +258,7 @@ TEST(MpsStep, WallsThatDriveTheWaterHaveTheSmallerCourantNumber) {
     for (const double value : {0.0, 0.0, 0.0, 0.0, 1.0, -speed, 0.0, 0.0})
       piston.mutable_motion()->add_row(value);
     fluid.set_kinematic_viscosity(0);
-    const double window = Mps<2>(fluid, nullptr, down).step(0, 1e-6).max_window;
+    const double window = test::mps_of<2>(fluid, nullptr, down).step(0, 1e-6).max_window;
     const double gravity = courant_number(fluid, driven) * std::sqrt(l0 / g);
     const double waves = 0.5 * l0 / std::sqrt(g * 0.3);
     const double walls = courant_number(fluid, driven) * l0 / speed;
@@ -269,16 +271,16 @@ TEST(MpsFirstWindow, KnowsGravityViscosityAndWallsThatMoveAtOnce) {
   v1::Fluid fluid = tank_of_water(l0, box_of({0, 0}, {0.4, 0.3}), {box_of({0, 0}, {0.3, 0.2})});
   fluid.set_propagation_speed(0.1);
   const double gravity = courant_number(fluid, false) * std::sqrt(l0 / g);
-  EXPECT_DOUBLE_EQ(Mps<2>(fluid, nullptr, down).first_window(1), gravity);
-  EXPECT_EQ(Mps<2>(fluid, nullptr, down).first_window(0.1 * gravity), 0.1 * gravity);
+  EXPECT_DOUBLE_EQ(test::mps_of<2>(fluid, nullptr, down).first_window(1), gravity);
+  EXPECT_EQ(test::mps_of<2>(fluid, nullptr, down).first_window(0.1 * gravity), 0.1 * gravity);
   fluid.set_kinematic_viscosity(0.1);
-  EXPECT_DOUBLE_EQ(Mps<2>(fluid, nullptr, down).first_window(1), 0.2 * l0 * l0 / 0.1);
+  EXPECT_DOUBLE_EQ(test::mps_of<2>(fluid, nullptr, down).first_window(1), 0.2 * l0 * l0 / 0.1);
   fluid.set_kinematic_viscosity(0);
   v1::Obstacle& piston = *fluid.add_obstacle();
   *piston.mutable_shape() = shape_of(box_of({0.32, 0.0}, {0.38, 0.2}));
   for (const double value : {0.0, 0.0, 0.0, 0.0, 1.0, -20.0, 0.0, 0.0})
     piston.mutable_motion()->add_row(value);
-  const double window = Mps<2>(fluid, nullptr, down).first_window(1);
+  const double window = test::mps_of<2>(fluid, nullptr, down).first_window(1);
   EXPECT_LE(window, courant_number(fluid, true) * l0 / 20);  // 20 m/s
   EXPECT_GT(window, 0.5 * courant_number(fluid, true) * l0 / 20);
 }

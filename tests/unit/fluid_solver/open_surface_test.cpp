@@ -44,7 +44,7 @@ TEST(OpenSurface, RefusesARadiusThatSeesOneLayerOnly) { EXPECT_THROW(surface<2>(
 template <int dim>
 std::vector<double> errors_at_rest(const Tank<dim>& tank, double depth) {
   const Matrix& A = tank.equation.matrix();
-  const auto preconditioner = make_preconditioner(v1::Pressure());
+  const auto preconditioner = make_preconditioner(PressureSolution::Preconditioner::aggregation);
   preconditioner->set_up(A, tank.equation.cells());
   std::vector<double> p(static_cast<std::size_t>(A.size()), 0.0);
   EXPECT_TRUE(

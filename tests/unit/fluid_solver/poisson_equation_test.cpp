@@ -138,8 +138,7 @@ TEST(PoissonEquation, HydrostaticPressureSolvesItDownToTheCornersOfATank) {
 TEST(PoissonEquation, TheFreeSurfaceLiesLessThanASpacingTooHigh) {
   const Tank<2> tank({});
   const Matrix& A = tank.equation.matrix();
-  v1::Pressure choice;
-  const auto M = make_preconditioner(choice);
+  const auto M = make_preconditioner(PressureSolution::Preconditioner::aggregation);
   M->set_up(A, tank.equation.cells());
   std::vector<double> p(static_cast<std::size_t>(A.size()), 0.0);
   ASSERT_TRUE(conjugate_gradient(A, tank.equation.right_hand_side(), *M, 1e-10, 2000, p).converged);

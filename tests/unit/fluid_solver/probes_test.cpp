@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "fluid_solver/body_load.hpp"
+#include "tests/support/make_mps.hpp"
 #include "tests/support/water.hpp"
 
 namespace cosurge::fluid {
@@ -38,9 +39,9 @@ v1::WallMotion ride(const Vec<2>& way, double angle) {
 }
 
 std::vector<double> read_after(const v1::Case& c, double end) {
-  Mps<2> mps(c.fluid(), nullptr, {0, -9.81});
+  auto mps = test::mps_of<2>(c.fluid(), nullptr, {0, -9.81});
   const Interface interface = mps.bodies().interface();
-  Probes<2> probes(c, mps, interface);
+  Probes<2> probes(probes_from_case<2>(c), mps, interface);
   constexpr double dt = 1e-3;
   double t = 0;
   while (t < end - 0.5 * dt) {
@@ -83,7 +84,7 @@ TEST(Probes, OfATankThatMovesGoWithIt) {
 TEST(Probes, OfLevelsGoUpAlongTheTank) {
   // A tank that has turned by 0.1 rad sees the level of its middle along its own axis: over the foot, which
   // turns about the origin, by the depth there over the cosine.
-  const Mps<2> mps(still_water().fluid(), nullptr, {0, -9.81});
+  const auto mps = test::mps_of<2>(still_water().fluid(), nullptr, {0, -9.81});
   const WaterParts parts = connected_water(mps, l0);
   const double upright = level_over<2>(mps, parts, {.foot = {0.15, 0}, .up = {0, 1}}, l0);
   for (const double angle : {-0.3, 0.3}) {
@@ -96,9 +97,9 @@ TEST(Probes, HaveColumnsOfForceAndMoment) {
   v1::Case c = still_water();
   *c.mutable_output()->add_probe() = probe("thrust", v1::Probe::force, {0.3, 0.05});
   *c.mutable_output()->add_probe() = probe("hinge", v1::Probe::moment, {0.3, 0.05});
-  const Mps<2> mps(c.fluid(), nullptr, {0, -9.81});
+  const auto mps = test::mps_of<2>(c.fluid(), nullptr, {0, -9.81});
   const Interface interface = mps.bodies().interface();
-  const Probes<2> probes(c, mps, interface);
+  const Probes<2> probes(probes_from_case<2>(c), mps, interface);
   std::vector<std::string> names, units;
   for (const Column& column : probes.columns()) names.push_back(column.name), units.push_back(column.unit);
   EXPECT_EQ(names, (std::vector<std::string>{"thrust_x", "thrust_y", "hinge"}));

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "common/case/from_case.hpp"
+#include "tests/support/make_mps.hpp"
 #include "tests/support/outlines.hpp"
 #include "tests/support/water.hpp"
 
@@ -75,7 +76,7 @@ std::vector<std::int32_t> places(const Mps<dim>& mps) {
 /// After a short time at rest.
 Load<2> load(const v1::Fluid& fluid, const ProbeMount& mount, const Vec<2>& about,
              const v1::Solid* solid = nullptr) {
-  Mps<2> mps(fluid, solid, {0, -9.81});
+  auto mps = test::mps_of<2>(fluid, solid, {0, -9.81});
   const WallLoad<2> wall(mps, mount, about);
   constexpr double dt = 5e-4;
   constexpr int steps = 20;
@@ -99,7 +100,7 @@ TEST(WallLoad, OfASunkBoxIsItsBuoyancyAboutItsMiddle) {
 
 TEST(WallLoad, OfATriangleUnderWaterIsItsBuoyancyOnceTheWaterHasSettledAroundIt) {
   v1::Fluid fluid = tank_with({cosurge::test::outline<2>({{0.2, 0.05}, {0.36, 0.05}, {0.28, 0.15}})});
-  Mps<2> mps(fluid, nullptr, {0, -9.81});
+  auto mps = test::mps_of<2>(fluid, nullptr, {0, -9.81});
   const WallLoad<2> wall(mps, first_obstacle, {0.28, 0.05});
   constexpr double dt = 1e-3;
   constexpr int first = 200, last = 500;
@@ -145,7 +146,7 @@ TEST(WallLoad, OfASunkBoxInSpaceIsItsBuoyancy) {
   v1::Fluid fluid = test::tank_of_water(0.02, test::box_of({0, 0, 0}, {0.3, 0.3, 0.3}),
                                         {test::box_of({0, 0, 0}, {0.3, 0.3, 0.2})});
   *fluid.add_obstacle()->mutable_shape() = box({0.1, 0.1, 0.06}, {0.2, 0.2, 0.12});
-  Mps<3> mps(fluid, nullptr, {0, 0, -9.81});
+  auto mps = test::mps_of<3>(fluid, nullptr, {0, 0, -9.81});
   const WallLoad<3> wall(mps, first_obstacle, {0.05, 0.15, 0.09});
   for (int k = 0; k < 10; ++k) (void)mps.step(k * 1e-3, 1e-3);
   const Load<3> sunk = wall.read(mps, places(mps), 0.01);

@@ -10,6 +10,7 @@
 #include "common/error.hpp"
 #include "fluid_solver/gauges.hpp"
 #include "fluid_solver/water_level.hpp"
+#include "tests/support/make_mps.hpp"
 #include "tests/support/water.hpp"
 
 namespace cosurge::fluid {
@@ -172,9 +173,9 @@ v1::Fluid tank_with_obstacle(const v1::WallMotion* motion = nullptr) {
 }
 
 TEST(Walls, TheOutermostLayerOfAnObstacleHasPressureAndItsInnerSitesAreDummies) {
-  const Walls<2> walls(tank_with_obstacle(), 3);
+  const Walls<2> walls(water_from_case<2>(tank_with_obstacle(), Vec<2>::Zero()), 3);
   Particles<2> particles;
-  Walls<2>(tank_with_obstacle(), 3).add_to(particles);
+  Walls<2>(water_from_case<2>(tank_with_obstacle(), Vec<2>::Zero()), 3).add_to(particles);
   std::map<Kind, int> inside;
   for (int i = 0; i < particles.size(); ++i)
     if (walls.covers(particles.x[i])) ++inside[particles.kind[i]];
@@ -183,7 +184,7 @@ TEST(Walls, TheOutermostLayerOfAnObstacleHasPressureAndItsInnerSitesAreDummies) 
 }
 
 TEST(Walls, WaterGivesWayToAnObstacle) {
-  const Mps<2> mps(tank_with_obstacle(), nullptr, {0, -9.81});
+  const auto mps = test::mps_of<2>(tank_with_obstacle(), nullptr, {0, -9.81});
   int water = 0;
   for (int i = 0; i < mps.particles().size(); ++i) water += mps.particles().kind[i] == Kind::fluid ? 1 : 0;
   EXPECT_EQ(water, 20 * 10 - 6 * 5);
@@ -204,7 +205,7 @@ v1::Fluid tank_with_obstacles(const std::vector<std::array<double, 4>>& boxes) {
 /// Walls and dummies, no two of them in one place.
 int distinct_sites(const v1::Fluid& fluid) {
   Particles<2> particles;
-  Walls<2>(fluid, 3).add_to(particles);
+  Walls<2>(water_from_case<2>(fluid, Vec<2>::Zero()), 3).add_to(particles);
   std::map<std::pair<long, long>, int> sites;
   for (const Vec<2>& x : particles.x) ++sites[{std::lround(x[0] / l0 * 2), std::lround(x[1] / l0 * 2)}];
   EXPECT_EQ(sites.size(), particles.x.size());
@@ -241,7 +242,7 @@ TEST(Walls, OfOnePlaceCountOnceInSpaceToo) {
   for (const double x : {1.0, 1.0, 1.0}) fluid.mutable_tank()->add_max(x);
   const auto sites = [&] {
     Particles<3> particles;
-    Walls<3>(fluid, 3).add_to(particles);
+    Walls<3>(water_from_case<3>(fluid, Vec<3>::Zero()), 3).add_to(particles);
     std::set<std::array<long, 3>> places;
     for (const Vec<3>& x : particles.x)
       places.insert({std::lround(20 * x[0]), std::lround(20 * x[1]), std::lround(20 * x[2])});
@@ -259,7 +260,7 @@ TEST(Walls, OfOnePlaceCountOnceInSpaceToo) {
 TEST(Walls, WhatOfAMovingObstacleLiesInTheFloorStaysThere) {
   v1::Fluid fluid = tank_with_obstacles({{0.1, -0.04, 0.2, 0.05}});
   *fluid.mutable_obstacle(0)->mutable_motion() = table_of_x({{0, 0}, {1, 0.05}});
-  Walls<2> walls(fluid, 3);
+  Walls<2> walls(water_from_case<2>(fluid, Vec<2>::Zero()), 3);
   Particles<2> particles;
   walls.add_to(particles);
   const std::vector<Vec<2>> before = particles.x;
@@ -286,7 +287,7 @@ TEST(Walls, AnObstacleThatMovesIntoAnotherWallIsNamed) {
     v1::Fluid fluid = tank_with_obstacles({{0.1, 0, 0.15, 0.1}, {0.2, 0, 0.25, 0.1}});
     for (const double value : {0.0, 0.0, 0.0, 0.0, 1.0, way.x, way.y, 0.0})
       fluid.mutable_obstacle(0)->mutable_motion()->add_row(value);
-    const Walls<2> walls(fluid, 3);
+    const Walls<2> walls(water_from_case<2>(fluid, Vec<2>::Zero()), 3);
     std::string said;
     try {
       walls.require_room(1);
@@ -300,13 +301,13 @@ TEST(Walls, AnObstacleThatMovesIntoAnotherWallIsNamed) {
 
 TEST(Walls, WaterRestsBesideAnObstacleInTheFloor) {
   const v1::Fluid fluid = tank_with_obstacles({{0.1, -0.3, 0.16, 0.2}, {0.12, -0.04, 0.3, 0.1}});
-  Mps<2> mps(fluid, nullptr, {0, -9.81});
+  auto mps = test::mps_of<2>(fluid, nullptr, {0, -9.81});
   for (int step = 0; step < 20; ++step) EXPECT_NO_THROW(mps.step(1e-3 * step, 1e-3, 1));
 }
 
 TEST(Walls, MoveAsTheyAreToldWithTheirMeanVelocity) {
   const v1::WallMotion motion = formula();
-  Walls<2> walls(tank_with_obstacle(&motion), 3);
+  Walls<2> walls(water_from_case<2>(tank_with_obstacle(&motion), Vec<2>::Zero()), 3);
   Particles<2> particles;
   walls.add_to(particles);
   const Particles<2> rest = particles;
@@ -329,7 +330,7 @@ TEST(Walls, MoveAsTheyAreToldWithTheirMeanVelocity) {
 TEST(Walls, AMovingTankTakesItsBoundsAlong) {
   v1::Fluid fluid = tank_with_obstacle();
   *fluid.mutable_tank_motion() = table();
-  const Walls<2> walls(fluid, 3);
+  const Walls<2> walls(water_from_case<2>(fluid, Vec<2>::Zero()), 3);
   EXPECT_FALSE(walls.outside({0.9, 0.1}, 0.8));  // the tank has gone 0.717 m
   EXPECT_TRUE(walls.outside({0.1, 0.1}, 0.8));
   EXPECT_TRUE(walls.outside({0.9, 0.1}, 0));
@@ -356,7 +357,7 @@ TEST(Walls, WaterInAnAcceleratedTankLeansAsMuchAsItMust) {
   fluid.set_gradient(v1::Fluid::conserving);
   *fluid.mutable_tank_motion() = acceleration(a, end);
   const auto tank = from_case<2>(fluid.tank_motion());
-  Mps<2> mps(fluid, nullptr, {0, -g});
+  auto mps = test::mps_of<2>(fluid, nullptr, {0, -g});
   constexpr double dt = 1e-3;
   double difference = 0;
   int count = 0;
@@ -377,7 +378,7 @@ TEST(Walls, WaterInAnAcceleratedTankLeansAsMuchAsItMust) {
 
 /// Where the particle nearest to X at the start is at time t.
 Vec<2> carried(const v1::Fluid& fluid, const Vec<2>& X, double t) {
-  Walls<2> walls(fluid, 3);
+  Walls<2> walls(water_from_case<2>(fluid, Vec<2>::Zero()), 3);
   Particles<2> particles;
   walls.add_to(particles);
   int nearest = 0;

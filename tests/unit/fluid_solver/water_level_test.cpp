@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/make_mps.hpp"
 #include "tests/support/water.hpp"
 
 namespace cosurge::fluid {
@@ -12,7 +13,8 @@ constexpr double l0 = 0.01;
 
 /// Boxes of water in a tank of 0.3 m.
 double level(double x, const std::vector<v1::Box>& water) {
-  const Mps<2> mps(test::tank_of_water(l0, test::box_of({0, 0}, {0.3, 0.3}), water), nullptr, {0, -9.81});
+  const auto mps =
+      test::mps_of<2>(test::tank_of_water(l0, test::box_of({0, 0}, {0.3, 0.3}), water), nullptr, {0, -9.81});
   return level_over<2>(mps, connected_water(mps, l0), {.foot = {x, 0}, .up = {0, 1}}, l0);
 }
 

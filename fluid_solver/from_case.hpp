@@ -1,0 +1,22 @@
+// The water of a case: the only place where the fluid solver reads one.
+#pragma once
+
+#include <vector>
+
+#include "fluid_solver/probe.hpp"
+#include "fluid_solver/water.hpp"
+#include "proto/case.pb.h"
+
+namespace cosurge::fluid {
+
+template <int dim>
+Water<dim> water_from_case(const v1::Fluid& fluid, const Vec<dim>& gravity);
+
+template <int dim>
+std::vector<WetBody<dim>> bodies_from_case(const v1::Solid& solid);
+
+/// The probes of the water, those of displacements left out.
+template <int dim>
+std::vector<Probe<dim>> probes_from_case(const v1::Case& the_case);
+
+}  // namespace cosurge::fluid
