@@ -1,44 +1,12 @@
 #include "coupler/check_command.hpp"
 
-#include <sys/resource.h>
-
-#include <chrono>
-#include <cmath>
-
-#include "common/case/carriers.hpp"
 #include "common/case/case_doubts.hpp"
 #include "common/case/case_file.hpp"
-#include "common/case/window_sizes.hpp"
-#include "common/error.hpp"
-#include "coupler/coupler.hpp"
+#include "coupler/measured_size.hpp"
 #include "coupler/report/case_picture.hpp"
 #include "coupler/say.hpp"
-#include "coupler/simulation.hpp"
 
 namespace cosurge {
-namespace {
-
-/// Lets a few windows pass and takes their time.
-class Stopwatch : public Observer {
- public:
-  static constexpr int warm_up = 3;
-  static constexpr int windows = 10;
-
-  void window(const Window&, const Reports&, const std::vector<double>&) override {
-    if (++seen_ == warm_up) since_ = std::chrono::steady_clock::now();
-    if (seen_ == warm_up + windows)
-      seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - since_).count() / windows;
-  }
-  bool done() const { return seen_ >= warm_up + windows; }
-  double seconds_per_window() const { return seconds_; }
-
- private:
-  int seen_ = 0;
-  double seconds_ = 0;
-  std::chrono::steady_clock::time_point since_;
-};
-
-}  // namespace
 
 void check_command(const std::string& case_path, const std::vector<std::string>& overrides,
                    const std::string& picture) {
@@ -52,30 +20,9 @@ void check_command(const std::string& case_path, const std::vector<std::string>&
     write_case_picture(
         picture, the_case,
         {.fluid = simulation.participant(Role::fluid), .solid = simulation.participant(Role::solid)});
-  say("  running {} windows to measure their time ...\n", Stopwatch::warm_up + Stopwatch::windows);
-  Stopwatch stopwatch;
-  simulation.observe(stopwatch);
-  simulation.run([&] { return stopwatch.done(); });
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  const double windows = std::ceil(the_case.time().end() / expected_window(the_case));
+  const MeasuredSize size = measure_size(simulation);
   say("{}: the case is valid\n", the_case.title());
-  for (const Member& member : simulation.members()) {
-    say("  {:<12} {} particles", member.name, member.setup.particles);
-    if (member.setup.substep > 0)
-      say(", sub-steps of {:.3g} s ({:.0f} a window)", member.setup.substep,
-          std::ceil(expected_window(the_case) / member.setup.substep));
-    say("\n");
-  }
-  for (int b = 0; b < the_case.solid().body_size(); ++b)
-    if (!is_held(the_case.solid(), the_case.solid().body(b)))
-      say("  {:<12} solid.body.{}: no clamp or support holds it\n", "free", b);
-  say("  {:<12} {}\n", "interface", fmt::format("{} points", simulation.coupler().interface().points()));
-  say("  {:<12} about {:.0f} of at most {:g} s, to t = {:g} s\n", "windows", windows,
-      longest_window(the_case), the_case.time().end());
-  say("  {:<12} {:.0f} MB\n", "memory", static_cast<double>(usage.ru_maxrss) / 1024);
-  say("  {:<12} {:.3g} ms per window now, about {:.0f} s in total\n", "time",
-      1e3 * stopwatch.seconds_per_window(), windows * stopwatch.seconds_per_window());
+  say_size(the_case, size);
 }
 
 }  // namespace cosurge

@@ -8,6 +8,7 @@
 #include "common/threads.hpp"
 #include "common/version.hpp"
 #include "common/wire/wire_words.hpp"
+#include "coupler/advise/advise_command.hpp"
 #include "coupler/certify_command.hpp"
 #include "coupler/chart/chart_command.hpp"
 #include "coupler/check_command.hpp"
@@ -209,6 +210,12 @@ int main(int argc, char** argv) {
                         "Write an HTML page of the case to FILE.html: tank, water, bodies, clamps, probes "
                         "and the paths of walls");
 
+  std::string advise_path;
+  std::vector<std::string> advise_overrides;
+  CLI::App* advise_app = app.add_subcommand(
+      "advise", "Show the numbers of a scene, and the structural model and coupling scheme that suit it");
+  add_case(*advise_app, advise_path, advise_overrides);
+
   std::string status_folder;
   CLI::App* status_app =
       app.add_subcommand("status", "Show the progress and speed of a run, and how to resume it");
@@ -277,6 +284,10 @@ int main(int argc, char** argv) {
     if (*run_app) return cosurge::run_command(run);
     if (*status_app) {
       cosurge::say("{}", cosurge::status_of(status_folder));
+      return 0;
+    }
+    if (*advise_app) {
+      cosurge::advise_command(advise_path, advise_overrides);
       return 0;
     }
     if (*selftest_app) return cosurge::selftest_command();

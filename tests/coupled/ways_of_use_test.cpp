@@ -176,6 +176,19 @@ TEST_F(WaysOfUse, AMisspeltCommandIsAnsweredWithTheNearest) {
   EXPECT_THAT(run(cosurge("scene"), scratch_.path(), 2), Not(HasSubstr("did you mean")));
 }
 
+TEST_F(WaysOfUse, AdviseShowsNumbersVerdictsAndOneRecommendation) {
+  const std::string piston = COSURGE_SOURCE_DIR "/cases/sprung_piston";
+  const std::string advice = run(cosurge("advise " + piston), scratch_.path());
+  for (const char* line : {"mu about 0.5", "dry 2.449 Hz", "wet about 2 Hz, a period of 1000 windows",
+                           "Use the model sprung and the scheme weak", "about 4000 of at most 0.0005 s"})
+    EXPECT_THAT(advice, HasSubstr(line));
+  EXPECT_THAT(advice, Not(HasSubstr("prescribed motions")));
+  const std::string baffle = COSURGE_SOURCE_DIR "/cases/sloshing_baffle";
+  EXPECT_THAT(run(cosurge("advise " + baffle), scratch_.path()), HasSubstr("prescribed motions"));
+  const std::string wave = COSURGE_SOURCE_DIR "/cases/standing_wave";
+  EXPECT_THAT(run(cosurge("advise " + wave), scratch_.path(), 1), HasSubstr("has no [solid]"));
+}
+
 TEST_F(WaysOfUse, LostWaterIsToldAtTheEndAndEndsTheRunWhereItIsTooMuch) {
   write_case(R"(title = "shaken tank"
 gravity = [0.0, -9.81]

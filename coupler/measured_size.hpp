@@ -1,0 +1,28 @@
+// Particles, windows, memory and time of a case on this machine.
+#pragma once
+
+#include <vector>
+
+#include "coupler/observer.hpp"
+#include "coupler/simulation.hpp"
+
+namespace cosurge {
+
+struct MeasuredSize {
+  std::vector<Member> members;    ///< the solvers with their particles and sub-steps
+  long points = 0;                ///< of the interface
+  double windows = 0;             ///< to be expected until the end of the case
+  double megabytes = 0;           ///< of this process
+  double seconds_per_window = 0;  ///< mean of ten windows, after three
+
+  double seconds() const { return windows * seconds_per_window; }  ///< to be expected for the run
+};
+
+/// Sets the simulation up and computes its first 13 windows. The simulation must not have run, and must
+/// not run on.
+MeasuredSize measure_size(Simulation& simulation);
+
+/// Prints the size, a line for each number.
+void say_size(const v1::Case& the_case, const MeasuredSize& size);
+
+}  // namespace cosurge
