@@ -28,13 +28,18 @@ double dry_frequency(v1::Case the_case) {
   return surface.frequency / (2 * std::numbers::pi);
 }
 
-/// Whether walls or bodies have a prescribed motion.
+/// Whether walls or bodies have a prescribed motion. A motion with neither a table nor a frequency is at
+/// rest.
 bool is_driven(const v1::Case& the_case) {
-  const auto moves = [](const auto& thing) { return thing.has_motion(); };
+  const auto moves = [](const v1::WallMotion& motion) {
+    return motion.row_size() > 0 || motion.frequency() > 0;
+  };
+  const auto thing_moves = [&](const auto& thing) { return moves(thing.motion()); };
   const auto& obstacles = the_case.fluid().obstacle();
   const auto& bodies = the_case.solid().body();
-  return the_case.fluid().has_tank_motion() || std::any_of(obstacles.begin(), obstacles.end(), moves) ||
-         std::any_of(bodies.begin(), bodies.end(), moves);
+  return moves(the_case.fluid().tank_motion()) ||
+         std::any_of(obstacles.begin(), obstacles.end(), thing_moves) ||
+         std::any_of(bodies.begin(), bodies.end(), thing_moves);
 }
 
 void say_water(const v1::Case& the_case, const SceneNumbers& scene) {

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "common/case/bodies.hpp"
 #include "common/error.hpp"
 #include "common/geometry/body_sites.hpp"
 #include "coupler/advise/fit.hpp"

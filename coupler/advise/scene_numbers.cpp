@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "common/case/bodies.hpp"
+#include "common/case/from_case.hpp"
 #include "common/case/window_sizes.hpp"
 #include "common/geometry/body_sites.hpp"
 #include "coupler/advise/static_deflection.hpp"
@@ -35,7 +37,7 @@ double water_on(const v1::Fluid& fluid, const Box<dim>& body, int axis) {
   double column = 0;
   bool below = false, above = false;
   for (const v1::Shape& water : fluid.water()) {
-    const Shape<dim> shape(water);
+    const auto shape = from_case<dim>(water);
     const Box<dim>& box = shape.bounds();
     if (!face_each_other(body, box, axis)) continue;
     column = std::max(column, box.max[up] - body.max[up]);
@@ -88,9 +90,9 @@ BodyNumbers numbers_of(const v1::Case& the_case, int b, const SceneNumbers& scen
   const v1::Solid& solid = the_case.solid();
   const v1::Fluid& fluid = the_case.fluid();
   const v1::Body& body = solid.body(b);
-  const Shape<dim> shape(shape_of(body));
+  const auto shape = from_case<dim>(shape_of(body));
   const Vec<dim> side = shape.bounds().max - shape.bounds().min;
-  const auto sites = static_cast<double>(BodySites<dim>(body, fluid.spacing()).all().size());
+  const auto sites = static_cast<double>(BodySites<dim>(shape, fluid.spacing()).all().size());
   const double volume = sites * std::pow(fluid.spacing(), dim);
   BodyNumbers numbers;
   const bool stated = solid.model() == v1::SolidModel::sprung && solid.sprung().has_mass();

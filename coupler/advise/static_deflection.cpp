@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/case/from_case.hpp"
 #include "common/geometry/shape.hpp"
 #include "coupler/advise/water_depth.hpp"
 
@@ -13,7 +14,7 @@ constexpr double slender = 2;  // length over thickness of a plate or beam
 
 template <int dim>
 Box<dim> bounds_of(const v1::Shape& shape) {
-  return Shape<dim>(shape).bounds();
+  return from_case<dim>(shape).bounds();
 }
 
 /// Whether the clamp covers the whole end of the box along an axis.
@@ -30,7 +31,7 @@ bool clamps_end(const Box<dim>& clamp, const Box<dim>& box, int axis, bool upper
 template <int dim>
 Hold hold(const v1::Body& body) {
   if (!body.has_box() || body.support_size() > 0) return {};
-  const Box<dim> box(body.box());
+  const auto box = from_case<dim>(body.box());
   const Vec<dim> side = box.max - box.min;
   Hold hold;
   side.minCoeff(&hold.thickness);
@@ -69,7 +70,7 @@ std::optional<double> deflection(const v1::Case& the_case, const v1::Body& body)
   const v1::Solid& solid = the_case.solid();
   const Hold hold = hold_of(body, dim);
   if (hold.kind == Hold::other) return {};
-  const Box<dim> box(body.box());
+  const auto box = from_case<dim>(body.box());
   const Vec<dim> side = box.max - box.min;
   const double weight = the_case.fluid().density() * std::abs(the_case.gravity(dim - 1));
   const double surface = highest_water(the_case.fluid());

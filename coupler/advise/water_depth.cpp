@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "common/geometry/shape.hpp"
+#include "common/case/from_case.hpp"
 
 namespace cosurge {
 namespace {
@@ -12,7 +12,7 @@ template <int dim>
 double extreme(const v1::Fluid& fluid, bool highest) {
   double value = highest ? std::numeric_limits<double>::lowest() : std::numeric_limits<double>::max();
   for (const v1::Shape& water : fluid.water()) {
-    const Shape<dim> shape(water);
+    const auto shape = from_case<dim>(water);
     const Box<dim>& bounds = shape.bounds();
     value = highest ? std::max(value, bounds.max[dim - 1]) : std::min(value, bounds.min[dim - 1]);
   }
