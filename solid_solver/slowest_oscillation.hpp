@@ -8,7 +8,7 @@ namespace cosurge {
 
 /// Angular frequency [rad/s] in vacuum of the slowest oscillation of each body, the highest of all bodies. A
 /// body on springs counts with its fastest one. 0 where nothing oscillates: rigid bodies. Deformable bodies:
-/// the first mode of finite elements (docs/method_solid.md, section 9).
+/// the first mode of finite elements (docs/method.md, eq. (6d)).
 /// @param model of the structure
 template <int dim>
 double slowest_oscillation(const Structure<dim>& structure, const SolidModel& model);
