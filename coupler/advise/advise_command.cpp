@@ -5,6 +5,7 @@
 
 #include "common/case/case_doubts.hpp"
 #include "common/case/case_file.hpp"
+#include "common/case/window_sizes.hpp"
 #include "common/error.hpp"
 #include "common/solvers.hpp"
 #include "coupler/advise/fit.hpp"
@@ -48,7 +49,7 @@ void say_water(const v1::Case& the_case, const SceneNumbers& scene) {
   if (scene.cauchy) say("  {:<12} {:.3g} = rho V^2 / E\n", "Cauchy", *scene.cauchy);
   if (scene.reynolds) say("  {:<12} {:.3g} = V H / nu\n", "Reynolds", *scene.reynolds);
   say("  {:<12} {:.3g} = V dt / l0 in windows of {:.3g} s; fluid.courant is {:g}\n", "Courant", scene.courant,
-      scene.window, the_case.fluid().courant());
+      scene.window, courant_number(the_case.fluid(), false));
 }
 
 void say_body(const v1::Case& the_case, const BodyNumbers& body, int b) {
