@@ -3,6 +3,7 @@
 #include <cosurge/simulation.hpp>
 #include <cstring>
 #include <iostream>
+#include <stdexcept>
 
 struct LeaningPlate : cosurge::Participant {
   double mass = 2, spring = 2000;  // per metre of width, of the unknown q [kg/m, N/m2]
@@ -49,6 +50,7 @@ struct Largest : cosurge::Observer {
 
 /// consumer CASE [wire]: with `wire` the water computes in a program of its own.
 int main(int argc, char** argv) try {
+  if (argc < 2) throw std::invalid_argument("usage: consumer CASE [wire]");
   const std::vector<std::string> coarse = {"fluid.spacing=0.004", "fluid.water.0.max=[0.148, 0.292]",
                                            "time.end=0.2"};
   auto simulation = cosurge::Simulation::of_file(argv[1], coarse);
