@@ -63,4 +63,8 @@ std::string quoted_cell(std::string text) {
   return '"' + text + '"';
 }
 
+std::string cell_of(const std::string& value) {
+  return value.find(',') == std::string::npos ? value : quoted_cell(value);
+}
+
 }  // namespace cosurge

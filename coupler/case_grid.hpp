@@ -27,4 +27,7 @@ std::vector<std::string> settings_of(const std::vector<Axis>& axes, const std::v
 /// A text as one cell of a CSV table: in quotes, on one line.
 std::string quoted_cell(std::string text);
 
+/// A value as one cell: in quotes where it holds commas.
+std::string cell_of(const std::string& value);
+
 }  // namespace cosurge

@@ -1,6 +1,5 @@
 #include "coupler/conclusion.hpp"
 
-#include <fstream>
 #include <functional>
 #include <nlohmann/json.hpp>
 
@@ -75,8 +74,7 @@ void conclude(const std::filesystem::path& folder, const Coupler& coupler, Recor
 }
 
 bool concluded(const std::filesystem::path& folder) {
-  std::ifstream file(folder / "summary.json");
-  const auto summary = nlohmann::json::parse(file, nullptr, false);
+  const auto summary = summary_in(folder);
   return summary.is_object() && summary.value("status", "") == "finished";
 }
 

@@ -34,11 +34,10 @@ double processor_seconds() {
          1e-6 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
 }
 
-/// The values of a cell as they stand in the table: in quotes where they hold commas.
+/// The values of a cell as they stand in the table.
 std::string row_of(const std::vector<std::string>& cell) {
   std::vector<std::string> values;
-  for (const std::string& value : cell)
-    values.push_back(value.find(',') == std::string::npos ? value : quoted_cell(value));
+  for (const std::string& value : cell) values.push_back(cell_of(value));
   return fmt::format("{}", fmt::join(values, ","));
 }
 

@@ -2,12 +2,12 @@
 
 #include <chrono>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "common/error.hpp"
 #include "coupler/checkpoint.hpp"
 #include "coupler/result_folder.hpp"
+#include "coupler/summary.hpp"
 
 namespace cosurge {
 namespace {
@@ -26,8 +26,7 @@ std::string clock_text(double seconds) {
 /// How the run has ended, by its summary and the lock of its folder.
 std::string state_of(const fs::path& folder) {
   if (ResultFolder::in_use(folder)) return "running";
-  std::ifstream file(folder / "summary.json");
-  const auto summary = nlohmann::json::parse(file, nullptr, false);
+  const auto summary = summary_in(folder);
   if (!summary.is_object()) return "killed";
   const std::string reason = summary.value("reason", "");
   return summary.value("status", "unknown") + (reason.empty() ? "" : ": " + reason);

@@ -1,5 +1,6 @@
 #include "coupler/summary.hpp"
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "common/case/probe_columns.hpp"
@@ -102,6 +103,12 @@ void write_summary(const std::filesystem::path& folder, const Recorder& recorder
   constexpr int indent = 2;
   replace_file(folder / "summary.json",
                {summary.dump(indent, ' ', false, Json::error_handler_t::replace), "\n"});
+}
+
+nlohmann::json summary_in(const std::filesystem::path& folder) {
+  std::ifstream file(folder / "summary.json");
+  auto summary = nlohmann::json::parse(file, nullptr, false);
+  return summary.is_object() ? summary : nlohmann::json();
 }
 
 }  // namespace cosurge

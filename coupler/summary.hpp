@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <limits>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "coupler/recorder.hpp"
@@ -21,5 +22,8 @@ struct Outcome {
 /// Writes summary.json into `folder`. Unknown or non-finite values are null.
 /// @throws Error when it cannot be written.
 void write_summary(const std::filesystem::path& folder, const Recorder& recorder, const Outcome& outcome);
+
+/// The summary.json in a folder; null if there is none, or if it cannot be read.
+nlohmann::json summary_in(const std::filesystem::path& folder);
 
 }  // namespace cosurge

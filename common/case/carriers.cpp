@@ -24,6 +24,8 @@ int obstacle_at(const v1::Fluid& fluid, const v1::Shape& clamp) {
 
 }  // namespace
 
+bool moves(const v1::WallMotion& motion) { return motion.row_size() > 0 || motion.frequency() > 0; }
+
 const v1::WallMotion& motion_of(const v1::Fluid& fluid, const v1::Obstacle& obstacle) {
   return obstacle.has_motion() ? obstacle.motion() : fluid.tank_motion();
 }

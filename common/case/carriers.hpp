@@ -5,6 +5,9 @@
 
 namespace cosurge {
 
+/// Whether a prescribed motion moves anything: one with neither a table nor a frequency is at rest.
+bool moves(const v1::WallMotion& motion);
+
 /// The motion of an obstacle: its own, or else the tank's.
 const v1::WallMotion& motion_of(const v1::Fluid& fluid, const v1::Obstacle& obstacle);
 

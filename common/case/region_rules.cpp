@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "common/case/bodies.hpp"
+#include "common/case/carriers.hpp"
 #include "common/case/from_case.hpp"
 #include "common/case/outline_rules.hpp"
 #include "common/error.hpp"
@@ -22,10 +23,6 @@ struct Region {
   bool moves = false;
 };
 
-bool moves(const v1::Obstacle& obstacle) {
-  return obstacle.motion().row_size() > 0 || obstacle.motion().frequency() > 0;
-}
-
 std::vector<Region> waters(const v1::Fluid& fluid) {
   std::vector<Region> regions;
   for (int i = 0; i < fluid.water_size(); ++i)
@@ -38,7 +35,7 @@ std::vector<Region> obstacles(const v1::Fluid& fluid) {
   for (int i = 0; i < fluid.obstacle_size(); ++i)
     regions.push_back({.key = fmt::format("fluid.obstacle.{}.shape", i),
                        .shape = fluid.obstacle(i).shape(),
-                       .moves = moves(fluid.obstacle(i))});
+                       .moves = moves(fluid.obstacle(i).motion())});
   return regions;
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/case/from_case.hpp"
+#include "common/case/water_depth.hpp"
 
 namespace cosurge {
 
@@ -19,17 +19,14 @@ double courant_number(const v1::Fluid& fluid, bool driven) {
 
 double expected_window(const v1::Case& the_case) {
   const double longest = longest_window(the_case);
-  if (!the_case.has_fluid() || the_case.time().stepping() == v1::Time::fixed) return longest;
-  double head = 0;
+  const v1::Fluid& fluid = the_case.fluid();
+  if (fluid.water().empty() || the_case.time().stepping() == v1::Time::fixed) return longest;
   const int up = the_case.dimension() - 1;
-  for (const v1::Shape& water : the_case.fluid().water()) {
-    const double top = up == 1 ? from_case<2>(water).bounds().max[1] : from_case<3>(water).bounds().max[2];
-    head = std::max(head, top - the_case.fluid().tank().min(up));
-  }
+  const double head = std::max(0.0, highest_water(the_case) - fluid.tank().min(up));
   const double gravity = std::abs(the_case.gravity(up));
   const double speed = 2 * std::sqrt(gravity * head);  // Ritter's bound of a front on a dry bed
   if (speed == 0) return longest;
-  return std::min(longest, courant_number(the_case.fluid(), false) * the_case.fluid().spacing() / speed);
+  return std::min(longest, courant_number(fluid, false) * fluid.spacing() / speed);
 }
 
 }  // namespace cosurge

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "common/case/carriers.hpp"
 #include "common/case/case_doubts.hpp"
 #include "common/case/case_file.hpp"
 #include "common/case/window_sizes.hpp"
@@ -29,12 +30,8 @@ double dry_frequency(v1::Case the_case) {
   return surface.frequency / (2 * std::numbers::pi);
 }
 
-/// Whether walls or bodies have a prescribed motion. A motion with neither a table nor a frequency is at
-/// rest.
+/// Whether walls or bodies have a prescribed motion.
 bool is_driven(const v1::Case& the_case) {
-  const auto moves = [](const v1::WallMotion& motion) {
-    return motion.row_size() > 0 || motion.frequency() > 0;
-  };
   const auto thing_moves = [&](const auto& thing) { return moves(thing.motion()); };
   const auto& obstacles = the_case.fluid().obstacle();
   const auto& bodies = the_case.solid().body();

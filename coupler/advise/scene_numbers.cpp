@@ -6,10 +6,10 @@
 
 #include "common/case/bodies.hpp"
 #include "common/case/from_case.hpp"
+#include "common/case/water_depth.hpp"
 #include "common/case/window_sizes.hpp"
 #include "common/geometry/body_sites.hpp"
 #include "coupler/advise/static_deflection.hpp"
-#include "coupler/advise/water_depth.hpp"
 
 namespace cosurge {
 namespace {
@@ -32,8 +32,9 @@ bool face_each_other(const Box<dim>& a, const Box<dim>& b, int axis) {
 
 /// Water that moves with a body, over the body's projected area [kg/m2]; 0: unknown.
 template <int dim>
-double water_on(const v1::Fluid& fluid, const Box<dim>& body, int axis) {
+double water_on(const v1::Case& the_case, const Box<dim>& body, int axis) {
   constexpr int up = dim - 1;
+  const v1::Fluid& fluid = the_case.fluid();
   double column = 0;
   bool below = false, above = false;
   for (const v1::Shape& water : fluid.water()) {
@@ -46,7 +47,7 @@ double water_on(const v1::Fluid& fluid, const Box<dim>& body, int axis) {
   }
   if (axis == up) return fluid.density() * column;
   const double floor = std::max(body.min[up], fluid.tank().min(up));
-  const double wetted = std::min(body.max[up], highest_water(fluid)) - floor;
+  const double wetted = std::min(body.max[up], highest_water(the_case)) - floor;
   const double sides = below && above ? 2 : 1;
   return sides * fluid.density() * std::max(0.0, wetted) / 2 * wetted / (body.max[up] - body.min[up]);
 }
@@ -103,7 +104,7 @@ BodyNumbers numbers_of(const v1::Case& the_case, int b, const SceneNumbers& scen
   numbers.deflection = static_deflection(the_case, b);
   int axis = 0;
   const double shortest = side.minCoeff(&axis);
-  const double added = water_on<dim>(fluid, shape.bounds(), axis) * side.prod() / shortest;
+  const double added = water_on<dim>(the_case, shape.bounds(), axis) * side.prod() / shortest;
   if (added <= 0) return numbers;
   const double mu = added / numbers.mass;
   numbers.added_mass_ratio = mu;
@@ -124,7 +125,7 @@ SceneNumbers scene_numbers(const v1::Case& the_case, double dry_frequency) {
   const v1::Fluid& fluid = the_case.fluid();
   const int dim = the_case.dimension();
   SceneNumbers scene;
-  scene.head = highest_water(fluid) - lowest_water(fluid);
+  scene.head = highest_water(the_case) - lowest_water(the_case);
   scene.speed = std::sqrt(2 * std::abs(the_case.gravity(dim - 1)) * scene.head);
   scene.layers = scene.head / fluid.spacing();
   scene.window = expected_window(the_case);

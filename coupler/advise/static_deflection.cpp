@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "common/case/from_case.hpp"
+#include "common/case/water_depth.hpp"
 #include "common/geometry/shape.hpp"
-#include "coupler/advise/water_depth.hpp"
 
 namespace cosurge {
 namespace {
@@ -73,7 +73,7 @@ std::optional<double> deflection(const v1::Case& the_case, const v1::Body& body)
   const auto box = from_case<dim>(body.box());
   const Vec<dim> side = box.max - box.min;
   const double weight = the_case.fluid().density() * std::abs(the_case.gravity(dim - 1));
-  const double surface = highest_water(the_case.fluid());
+  const double surface = highest_water(the_case);
   const auto pressure = [&](double height) { return weight * std::max(0.0, surface - height); };
   const double t = side[hold.thickness];
   if (hold.kind == Hold::layer) {

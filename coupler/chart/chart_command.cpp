@@ -12,6 +12,7 @@
 #include "coupler/chart/chart_runs.hpp"
 #include "coupler/chart/chart_table.hpp"
 #include "coupler/chart/truth.hpp"
+#include "coupler/chart/words.hpp"
 #include "coupler/replace_file.hpp"
 #include "coupler/results.hpp"
 #include "coupler/say.hpp"
@@ -33,16 +34,6 @@ struct Request {
 
   explicit Request(const ChartOptions& options);
 };
-
-/// Calls `read` and notes what it throws.
-template <typename Read>
-void note_errors(std::vector<std::string>& wrong, const Read& read) {
-  try {
-    read();
-  } catch (const std::exception& error) {
-    if (std::find(wrong.begin(), wrong.end(), error.what()) == wrong.end()) wrong.emplace_back(error.what());
-  }
-}
 
 /// The one setting of the plan with all of these values.
 std::size_t run_with(const ChartPlan& plan, const std::vector<std::string>& settings) {

@@ -10,6 +10,7 @@
 #include "common/case/case_file.hpp"
 #include "common/error.hpp"
 #include "coupler/case_grid.hpp"
+#include "coupler/chart/words.hpp"
 
 namespace cosurge {
 namespace {
@@ -129,12 +130,7 @@ ChartPlan read_plan(const ChartOptions& options) {
         run.settings.push_back(setting);
         run.values.push_back(setting.substr(setting.find('=') + 1));
       }
-      try {
-        add_runs(options, std::move(run), plan);
-      } catch (const std::exception& error) {
-        if (std::find(wrong.begin(), wrong.end(), error.what()) == wrong.end())
-          wrong.emplace_back(error.what());
-      }
+      note_errors(wrong, [&] { add_runs(options, std::move(run), plan); });
     }
   if (wrong.empty()) add_repeated(plan, wrong);
   require(wrong.empty(), "{}", fmt::join(wrong, "\n"));

@@ -11,7 +11,6 @@
 #include <chrono>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -19,6 +18,7 @@
 #include "coupler/map_cell.hpp"
 #include "coupler/run_command.hpp"
 #include "coupler/say.hpp"
+#include "coupler/summary.hpp"
 #include "coupler/work_processes.hpp"
 
 namespace cosurge {
@@ -65,8 +65,7 @@ double user_seconds() {
 
 /// Why the run in a folder did not finish.
 std::string reason_in(const Place& place) {
-  std::ifstream file(place.results / "summary.json");
-  const auto summary = nlohmann::json::parse(file, nullptr, false);
+  const auto summary = summary_in(place.results);
   const std::string reason = summary.is_object() ? summary.value("reason", "") : "";
   return reason.empty() ? "see " + place.log.string() : reason;
 }

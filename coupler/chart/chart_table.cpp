@@ -12,10 +12,6 @@
 namespace cosurge {
 namespace {
 
-std::string cell_of(const std::string& value) {
-  return value.find(',') == std::string::npos ? value : quoted_cell(value);
-}
-
 /// A number of the table; empty where it is unknown.
 std::string number(double value) { return std::isnan(value) ? "" : fmt::format("{:.6g}", value); }
 

@@ -3,11 +3,11 @@
 #include <fmt/ranges.h>
 
 #include <array>
-#include <charconv>
 #include <utility>
 
 #include "common/case/probe_columns.hpp"
 #include "common/error.hpp"
+#include "coupler/chart/words.hpp"
 #include "coupler/interface_account.hpp"
 
 namespace cosurge {
@@ -24,11 +24,6 @@ constexpr const char* form =
     "must be peak(H), time_of_peak(H), impulse(H) or rms(H), where H is a probe's column (P01, tip.x), a "
     "column of the results (fluid/front) or the difference of two (left-right); a range of time may follow: "
     "peak(tip.x, 0.1..0.4)";
-
-std::string without_blanks(std::string text) {
-  std::erase_if(text, [](char c) { return c == ' ' || c == '\t'; });
-  return text;
-}
 
 /// The column of the results that a name means: "solid/tip_x" for "tip.x"; empty if there is none. Only
 /// columns that every run of the case writes, whatever its structural model.
@@ -75,11 +70,9 @@ TimeRange range_of(const std::string& words, const std::string& text, double end
   const auto dots = words.find("..");
   require(dots != std::string::npos, "--quantity {}: {}", text, form);
   const auto number = [&](const std::string& digits) {
-    double value = 0;
-    const auto [rest, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    require(error == std::errc() && rest == digits.data() + digits.size(), "--quantity {}: {} is not a time",
-            text, digits);
-    return value;
+    const std::optional<double> value = number_of(digits);
+    require(value.has_value(), "--quantity {}: {} is not a time", text, digits);
+    return *value;
   };
   const TimeRange range{.from = number(words.substr(0, dots)), .to = number(words.substr(dots + 2))};
   require(range.from >= 0 && range.from < range.to,

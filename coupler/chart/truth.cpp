@@ -3,22 +3,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <filesystem>
 
 #include "common/case/table.hpp"
 #include "common/error.hpp"
+#include "coupler/chart/words.hpp"
 
 namespace cosurge {
 namespace {
-
-std::optional<double> number_of(const std::string& text) {
-  double value = 0;
-  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || rest != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
 
 Curve read_curve(const std::string& file) {
   const Table table = read_table(file, {{.name = "t", .unit = "s"}, {.name = "value", .unit = ""}});
@@ -58,11 +50,6 @@ Truth read_truth(const std::string& word, const Quantity& quantity, double end) 
   truth.curve = read_curve(word);
   require_covered(quantity, truth, end);
   return truth;
-}
-
-std::string without_blanks(std::string text) {
-  std::erase_if(text, [](char c) { return c == ' ' || c == '\t'; });
-  return text;
 }
 
 /// One word. @throws Error.
@@ -105,13 +92,7 @@ Truths read_truths(const std::vector<std::string>& words, const std::vector<Quan
   Truths truths;
   truths.of_quantity.resize(quantities.size());
   std::vector<std::string> wrong;
-  for (const std::string& word : words) {
-    try {
-      add_truth(word, quantities, end, truths);
-    } catch (const Error& error) {
-      wrong.emplace_back(error.what());
-    }
-  }
+  for (const std::string& word : words) note_errors(wrong, [&] { add_truth(word, quantities, end, truths); });
   if (wrong.empty() && !truths.settings.empty() && !truths.needs_run())
     wrong.push_back(fmt::format("--truth {}: no quantity is compared with a run, each has its own truth",
                                 fmt::join(truths.settings, " ")));

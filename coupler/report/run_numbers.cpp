@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
 
 #include "common/case/probe_columns.hpp"
 #include "coupler/history.hpp"
+#include "coupler/summary.hpp"
 
 namespace cosurge {
 namespace {
@@ -52,8 +52,7 @@ RunRecord::RunRecord(const Results& results) {
 }
 
 nlohmann::json summary_of(const Results& results, std::size_t windows) {
-  std::ifstream file(results.folder() / "summary.json");
-  auto found = nlohmann::json::parse(file, nullptr, false);
+  auto found = summary_in(results.folder());
   if (found.is_object() && found.value("windows", std::size_t{0}) == windows) return found;
   return nlohmann::json::object();
 }

@@ -1,4 +1,4 @@
-#include "coupler/advise/water_depth.hpp"
+#include "common/case/water_depth.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -21,12 +21,14 @@ double extreme(const v1::Fluid& fluid, bool highest) {
 
 }  // namespace
 
-double highest_water(const v1::Fluid& fluid) {
-  return fluid.tank().min_size() == 2 ? extreme<2>(fluid, true) : extreme<3>(fluid, true);
+double highest_water(const v1::Case& the_case) {
+  const v1::Fluid& fluid = the_case.fluid();
+  return the_case.dimension() == 2 ? extreme<2>(fluid, true) : extreme<3>(fluid, true);
 }
 
-double lowest_water(const v1::Fluid& fluid) {
-  return fluid.tank().min_size() == 2 ? extreme<2>(fluid, false) : extreme<3>(fluid, false);
+double lowest_water(const v1::Case& the_case) {
+  const v1::Fluid& fluid = the_case.fluid();
+  return the_case.dimension() == 2 ? extreme<2>(fluid, false) : extreme<3>(fluid, false);
 }
 
 }  // namespace cosurge
