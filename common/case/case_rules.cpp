@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <optional>
 
 #include "common/case/bodies.hpp"
+#include "common/case/lattice_rules.hpp"
 #include "common/case/motion_rules.hpp"
 #include "common/case/outline_rules.hpp"
 #include "common/case/probe_rules.hpp"
@@ -16,148 +15,6 @@
 
 namespace cosurge {
 namespace {
-
-constexpr double whole = 1e-6;  // [spacings] tolerance for quotients of decimal numbers such as 0.146 / 0.002
-
-bool divides(double spacing, double length) {
-  const double quotient = length / spacing;
-  const double nearest = std::round(quotient);
-  return (nearest != 0 || length == 0) &&
-         std::abs(quotient - nearest) < whole * std::max(1.0, std::abs(quotient));
-}
-
-/// A box of the case, with its key.
-struct NamedBox {
-  std::string key;
-  v1::Box box;
-  bool unscaled_outline = false;  // it is the box around an outline as it is in its file
-};
-
-/// A shape, or the box around its outline.
-NamedBox named_box(const std::string& key, const v1::Shape& shape, int dimension) {
-  NamedBox named{.key = key, .box = {}, .unscaled_outline = shape.vertex_size() > 0 && !shape.has_scale()};
-  *named.box.mutable_min() = shape.min();
-  *named.box.mutable_max() = shape.max();
-  for (int v = 0; v < shape.vertex_size(); ++v) {
-    const int k = v % dimension;
-    if (v < dimension) {
-      named.box.add_min(shape.vertex(v));
-      named.box.add_max(shape.vertex(v));
-    }
-    named.box.set_min(k, std::min(named.box.min(k), shape.vertex(v)));
-    named.box.set_max(k, std::max(named.box.max(k), shape.vertex(v)));
-  }
-  return named;
-}
-
-bool is_box(const v1::Shape& shape) { return shape.vertex().empty(); }
-
-/// Box of each body, or of its outline.
-std::vector<NamedBox> body_bounds(const v1::Solid& solid, int dimension) {
-  std::vector<NamedBox> bounds;
-  for (int i = 0; i < solid.body_size(); ++i)
-    bounds.push_back(named_box(body_key(solid, i), shape_of(solid.body(i)), dimension));
-  return bounds;
-}
-
-std::vector<NamedBox> body_boxes(const v1::Solid& solid) {
-  std::vector<NamedBox> boxes;
-  for (int i = 0; i < solid.body_size(); ++i)
-    if (const v1::Shape shape = shape_of(solid.body(i)); is_box(shape))
-      boxes.push_back(named_box(body_key(solid, i), shape, 0));
-  return boxes;
-}
-
-std::vector<NamedBox> water_boxes(const v1::Fluid& fluid) {
-  std::vector<NamedBox> boxes;
-  for (int i = 0; i < fluid.water_size(); ++i)
-    if (is_box(fluid.water(i)))
-      boxes.push_back(named_box(fmt::format("fluid.water.{}", i), fluid.water(i), 0));
-  return boxes;
-}
-
-std::vector<NamedBox> obstacle_boxes(const v1::Fluid& fluid) {
-  std::vector<NamedBox> boxes;
-  for (int i = 0; i < fluid.obstacle_size(); ++i)
-    if (is_box(fluid.obstacle(i).shape()))
-      boxes.push_back(named_box(fmt::format("fluid.obstacle.{}.shape", i), fluid.obstacle(i).shape(), 0));
-  return boxes;
-}
-
-bool overlap(const v1::Box& a, const v1::Box& b, double margin) {
-  for (int k = 0; k < a.min_size(); ++k)
-    if (a.max(k) <= b.min(k) + margin || b.max(k) <= a.min(k) + margin) return false;
-  return true;
-}
-
-bool inside(const v1::Box& inner, const v1::Box& outer, double margin) {
-  for (int k = 0; k < inner.min_size(); ++k)
-    if (inner.min(k) < outer.min(k) - margin || inner.max(k) > outer.max(k) + margin) return false;
-  return true;
-}
-
-/// The nearest spacing below (step = +1) or above (-1) the given one that divides every length, searched as
-/// fractions of the shortest length.
-std::optional<double> nearest_spacing(double spacing, const std::vector<double>& lengths, int step) {
-  const double shortest = *std::min_element(lengths.begin(), lengths.end());
-  const auto fits = [&](double s) {
-    return std::all_of(lengths.begin(), lengths.end(), [&](double length) { return divides(s, length); });
-  };
-  const int parts =
-      static_cast<int>(step > 0 ? std::ceil(shortest / spacing) : std::floor(shortest / spacing));
-  constexpr int search = 2000;
-  for (int n = parts; n > 0 && n < parts + search; n += step)
-    if (fits(shortest / n)) return shortest / n;
-  return std::nullopt;
-}
-
-void check_spacing(const std::string& key, double spacing, const std::vector<NamedBox>& boxes,
-                   CaseErrors& errors) {
-  std::vector<double> lengths;
-  std::vector<std::string> wrong, rounded;
-  double farthest = 0;
-  std::string farthest_key;
-  for (const NamedBox& named : boxes) {
-    for (int k = 0; k < named.box.min_size(); ++k) {
-      for (const double value : {named.box.min(k), named.box.max(k)}) {
-        if (value != 0) lengths.push_back(std::abs(value));
-        if (std::abs(value) > farthest) {
-          farthest = std::abs(value);
-          farthest_key = fmt::format("the coordinate {} of {}", value, named.key);
-        }
-        if (divides(spacing, value)) continue;
-        wrong.push_back(fmt::format("{} ({:.6g} is {:.4g} spacings)", named.key, value, value / spacing));
-        rounded.push_back(fmt::format("{:.6g} to {:.6g}", value, std::round(value / spacing) * spacing));
-      }
-    }
-  }
-  constexpr double finest = 1e5;  // spacings along a side: no memory holds more
-  if (farthest > finest * spacing)
-    return errors.add(key, fmt::format("{} must be >= {:.6g} [m]: {} is {:.3g} spacings, at most {:.0f} are "
-                                       "possible",
-                                       spacing, farthest / finest, farthest_key, farthest / spacing, finest));
-  if (wrong.empty()) return;
-  const auto below = nearest_spacing(spacing, lengths, 1);
-  const auto above = nearest_spacing(spacing, lengths, -1);
-  errors.add(key,
-             fmt::format("{} does not divide {}; the nearest values that divide every box are {} below and "
-                         "{} above; or round {}, or give the shape as an outline, which need not fit",
-                         spacing, fmt::join(wrong, ", "), below ? fmt::format("{:.6g}", *below) : "none",
-                         above ? fmt::format("{:.6g}", *above) : "none", fmt::join(rounded, ", ")));
-}
-
-bool check_boxes_ordered(const std::vector<NamedBox>& boxes, CaseErrors& errors) {
-  bool ok = true;
-  for (const NamedBox& named : boxes) {
-    for (int k = 0; k < named.box.min_size(); ++k) {
-      if (named.box.min(k) < named.box.max(k)) continue;
-      errors.add(named.key, fmt::format("min {} must be < max {} in coordinate {}", named.box.min(k),
-                                        named.box.max(k), k));
-      ok = false;
-    }
-  }
-  return ok;
-}
 
 /// Whether a shape is either a box or a closed outline.
 bool check_shape(const std::string& key, const v1::Shape& shape, CaseErrors& errors) {
@@ -222,7 +79,7 @@ void check_scene(const v1::Case& c, CaseErrors& errors) {
   if (!check_boxes_ordered(boxes, errors)) return;
   const std::size_t before = errors.lines.size();
   if (c.has_fluid()) {
-    const double margin = whole * c.fluid().spacing();
+    const double margin = whole_spacings * c.fluid().spacing();
     check_spacing("fluid.spacing", c.fluid().spacing(), boxes, errors);
     for (const NamedBox& named : inner)
       if (!inside(named.box, c.fluid().tank(), margin))
@@ -256,7 +113,8 @@ void check_thickness(const v1::Fluid& fluid, CaseErrors& errors) {
   const double layers = std::ceil(fluid.re_laplacian());
   for (const NamedBox& named : obstacle_boxes(fluid))
     for (int k = 0; k < named.box.min_size(); ++k)
-      if (const double side = named.box.max(k) - named.box.min(k); side < (layers - whole) * fluid.spacing())
+      if (const double side = named.box.max(k) - named.box.min(k);
+          side < (layers - whole_spacings) * fluid.spacing())
         errors.add(
             named.key,
             fmt::format("is {:.3g} spacings thick, must be at least {}: a spacing of {:.4g} m at most, or a "
@@ -285,7 +143,7 @@ void check_solid(const v1::Case& c, CaseErrors& errors) {
     const NamedBox& around = bounds[static_cast<std::size_t>(i)];
     for (int k = 0; k < around.box.min_size(); ++k) {
       const double side = around.box.max(k) - around.box.min(k);
-      if (side < (fewest - whole) * fluid_spacing)
+      if (side < (fewest - whole_spacings) * fluid_spacing)
         errors.add(
             around.key,
             fmt::format("is {:.3g} spacings thick, must be at least {}: a spacing of {:.4g} m at most, or a "
@@ -296,12 +154,13 @@ void check_solid(const v1::Case& c, CaseErrors& errors) {
       const std::string key = fmt::format("solid.body.{}.clamp.{}", i, j);
       const NamedBox clamp = named_box(key, body.clamp(j), c.dimension());
       if (!check_boxes_ordered({clamp}, errors)) continue;
-      if (!overlap(around.box, clamp.box, -whole * spacing)) errors.add(key, "must touch the body");
+      if (!overlap(around.box, clamp.box, -whole_spacings * spacing)) errors.add(key, "must touch the body");
     }
     for (int j = 0; j < body.support_size(); ++j) {
       const std::string key = fmt::format("solid.body.{}.support.{}", i, j);
       const v1::Box& box = body.support(j).box();
-      if (!overlap(around.box, box, -whole * spacing)) errors.add(key + ".box", "must touch the body");
+      if (!overlap(around.box, box, -whole_spacings * spacing))
+        errors.add(key + ".box", "must touch the body");
       for (const int axis : body.support(j).along())
         if (axis >= c.dimension())
           errors.add(key + ".along", fmt::format("no \"{}\" in {} dimensions", "xyz"[axis], c.dimension()));
