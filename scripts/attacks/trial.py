@@ -139,7 +139,19 @@ class Trial:
             raise Wrong(f"other results than undisturbed: {wrong[:3]}")
         if results.summary(self.folder) != self.reference.summary:
             raise Wrong("another summary than undisturbed")
+        if code != 0:
+            self._run_anew()  # nothing was left to run: what a killed run leaves goes with the next run
         if left := [entry.name for entry in self.temporary.iterdir()]:
             raise Wrong(f"left in the folder for temporary files: {', '.join(left)}")
         if left := [entry.name for entry in self.folder.iterdir() if entry.name.endswith(".new")]:
             raise Wrong(f"left in the folder of results: {', '.join(left)}")
+
+    def _run_anew(self):
+        """The case once more, from its start, undisturbed."""
+        program = Program(self.attack.cosurge, cases.arguments(self.name, self.place / "anew", False),
+                          self.place / "anew.log", f"{self.number}.anew", self.temporary)
+        try:
+            if program.wait(PATIENCE + 20 * self.reference.seconds) != 0:
+                raise Wrong(f"a new run of the case fails:\n{program.output()}")
+        finally:
+            program.end()
