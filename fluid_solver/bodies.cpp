@@ -33,11 +33,14 @@ LatticeFaces<dim> wet_faces(const Vec<dim>& x, const BodySites<dim>& body,
 template <int dim>
 Bodies<dim>::Bodies(const std::vector<WetBody<dim>>& bodies, const Box<dim>& tank, double spacing) {
   for (std::size_t b = 0; b < bodies.size(); ++b) {
+    held_at_rest_.push_back(bodies[b].held_at_rest);
     const BodySites<dim> sites(bodies[b].shape, spacing);
     for (const Vec<dim>& x : sites.all()) {
       position_.push_back(x);
       const LatticeFaces<dim> wet = wet_faces(x, sites, bodies[b].clamps, tank, spacing);
       area_.push_back(wet.above - wet.below);
+      normal_.push_back(bodies[b].shape.is_box() ? area_.back()
+                                                 : Vec<dim>((bodies[b].shape.nearest(x) - x).normalized()));
       faces_.push_back(wet);
       body_.push_back(static_cast<int>(b));
     }
@@ -98,7 +101,7 @@ Faces<dim> Bodies<dim>::deformed(const Field& displacement) const {
   for (int k = 0; k < points(); ++k) {
     if (!wet(k)) continue;
     faces.cofactor[k] = cofactor(k, displacement);
-    faces.normal[k] = (faces.cofactor[k] * area_[k]).normalized();
+    faces.normal[k] = (faces.cofactor[k] * normal_[k]).normalized();
   }
   set_open(std::vector<Openness<dim>>(position_.size()), faces);
   for (int k = 0; k < points(); ++k)

@@ -49,6 +49,10 @@ class Bodies {
   /// other bodies are wet as soon as there is a gap (CoveredFaces).
   Bodies(const std::vector<WetBody<dim>>& bodies, const Box<dim>& tank, double spacing);
 
+  std::size_t count() const { return held_at_rest_.size(); }
+  /// Whether something that does not move in the tank holds the body.
+  bool held_at_rest(std::size_t body) const { return held_at_rest_[body]; }
+
   int points() const { return static_cast<int>(position_.size()); }
   const Vec<dim>& position(int k) const { return position_[static_cast<std::size_t>(k)]; }
   int body(int k) const { return body_[static_cast<std::size_t>(k)]; }
@@ -78,8 +82,10 @@ class Bodies {
   void find_nearest_wet();
   Mat<dim> cofactor(int k, const Field& displacement) const;
 
+  std::vector<bool> held_at_rest_;
   std::vector<Vec<dim>> position_;
   std::vector<Vec<dim>> area_;            // A_0
+  std::vector<Vec<dim>> normal_;          // of the face at the start
   std::vector<LatticeFaces<dim>> faces_;  // areas of the wet lattice faces
   std::vector<int> nearest_wet_;
   std::vector<int> body_;

@@ -29,7 +29,7 @@ class FluidParticipant::SceneOf : public Scene {
   explicit SceneOf(const v1::Case& the_case)
       : water_(water_from_case(the_case.fluid(), from_case<dim>(the_case.gravity()))),
         longest_window_(longest_window(the_case)),
-        mps_(water_, bodies_from_case<dim>(the_case.solid())),
+        mps_(water_, bodies_from_case<dim>(the_case)),
         lost_water_(water_, mps_.particles()),
         probes_(probes_from_case<dim>(the_case), mps_, mps_.bodies().interface()) {}
 

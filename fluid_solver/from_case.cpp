@@ -1,6 +1,7 @@
 #include "fluid_solver/from_case.hpp"
 
 #include "common/case/bodies.hpp"
+#include "common/case/carriers.hpp"
 #include "common/case/from_case.hpp"
 #include "common/case/probe_columns.hpp"
 #include "common/case/probe_mount.hpp"
@@ -96,10 +97,12 @@ Water<dim> water_from_case(const v1::Fluid& fluid, const Vec<dim>& gravity) {
 }
 
 template <int dim>
-std::vector<WetBody<dim>> bodies_from_case(const v1::Solid& solid) {
+std::vector<WetBody<dim>> bodies_from_case(const v1::Case& the_case) {
   std::vector<WetBody<dim>> bodies;
-  for (const v1::Body& body : solid.body()) {
-    bodies.push_back({.shape = from_case<dim>(shape_of(body)), .clamps = {}});
+  for (const v1::Body& body : the_case.solid().body()) {
+    bodies.push_back({.shape = from_case<dim>(shape_of(body)),
+                      .clamps = {},
+                      .held_at_rest = is_held_at_rest(the_case, body)});
     for (const v1::Shape& clamp : body.clamp()) bodies.back().clamps.push_back(from_case<dim>(clamp));
   }
   return bodies;
@@ -120,8 +123,8 @@ std::vector<Probe<dim>> probes_from_case(const v1::Case& the_case) {
 
 template Water<2> water_from_case<2>(const v1::Fluid&, const Vec<2>&);
 template Water<3> water_from_case<3>(const v1::Fluid&, const Vec<3>&);
-template std::vector<WetBody<2>> bodies_from_case<2>(const v1::Solid&);
-template std::vector<WetBody<3>> bodies_from_case<3>(const v1::Solid&);
+template std::vector<WetBody<2>> bodies_from_case<2>(const v1::Case&);
+template std::vector<WetBody<3>> bodies_from_case<3>(const v1::Case&);
 template std::vector<Probe<2>> probes_from_case<2>(const v1::Case&);
 template std::vector<Probe<3>> probes_from_case<3>(const v1::Case&);
 

@@ -13,7 +13,7 @@ template <int dim>
 Water<dim> water_from_case(const v1::Fluid& fluid, const Vec<dim>& gravity);
 
 template <int dim>
-std::vector<WetBody<dim>> bodies_from_case(const v1::Solid& solid);
+std::vector<WetBody<dim>> bodies_from_case(const v1::Case& the_case);
 
 /// The probes of the water, those of displacements left out.
 template <int dim>

@@ -126,6 +126,7 @@ template <int dim>
 void Mps<dim>::advance_to_pressure(double start, double dt) {
   predict(start, dt);  // u* = u + dt g, x* = x + dt u*; walls go to where they are at the end
   search_neighbors(start + dt);
+  find_driven_speed(start + dt, dt);
   find_free_surface();
   diffuse_and_collide(dt);  // u* += dt nu lap u*, collisions and damping at the surface
 }
@@ -153,7 +154,7 @@ template <int dim>
 void Mps<dim>::predict(double start, double dt) {
   clock_.enter(predicting);
   if (may_cover()) walls_.move(particles_, start + dt, dt);
-  speed_bound_ = std::max(speed_bound_, beyond_physical * walls_.speed());
+  speed_bound_ = std::max(speed_bound_, beyond_physical * std::max(walls_.speed(), max_body_speed_));
   walls_.require_room(start + dt);
 #pragma omp parallel for schedule(static)
   for (int i = 0; i < particles_.size(); ++i) {

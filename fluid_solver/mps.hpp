@@ -96,6 +96,7 @@ class Mps {
   void check_state() const;
   void diffuse_and_collide(double dt);
   void find_free_surface();
+  void find_driven_speed(double end, double dt);
   void set_source(double dt);
   void assemble(double dt);
   /// Whether missing neighbours count as air, and not flags: see pressure/open_surface.hpp.
@@ -147,7 +148,8 @@ class Mps {
   double propagation_speed_ = 0;  // c of the source `time_scale` [m/s]
   double speed_bound_ = 0;        // [m/s]
   double max_body_speed_ = 0;
-  double frequency_ = 0;  // of the structure's oscillation [rad/s]
+  double driven_speed_ = 0;  // at which obstacles and bodies are driven into the water [m/s]
+  double frequency_ = 0;     // of the structure's oscillation [rad/s]
   int first_body_id_ = 0;
   Faces<dim> faces_;                           // deformed faces of the bodies, by point
   std::vector<Vec<dim>> face_load_;            // load in addition to -P A on the bodies' points [N]

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fluid_solver/closing_speed.hpp"
 #include "fluid_solver/mps.hpp"
 #include "fluid_solver/operators.hpp"
 #include "fluid_solver/pressure/source.hpp"
@@ -141,11 +142,19 @@ template <int dim>
 Rates Mps<dim>::rates(double dt) const {
   constexpr double answers_to_bodies = 20;  // in a radian of the structure's oscillation
   const double c = propagation_speed_ / water_.spacing;
-  const double driven = walls_.approach() / water_.spacing;
-  const double k = std::min(std::max(c, answers_to_walls * driven), 1 / dt);
+  const double driven = driven_speed_ / water_.spacing;
+  const double k = std::min(
+      std::max(c, answers_to_walls * driven), 1 / dt);
   return {.divergence = k,
           .density = std::min(k, std::max(c, driven)),
           .bodies = std::max(k, std::min(answers_to_bodies * frequency_, 1 / dt))};
+}
+
+/// The speed that decides the rate while walls and bodies are driven into the water.
+template <int dim>
+void Mps<dim>::find_driven_speed(double end, double dt) {
+  const DrivenBodies<dim> driven{.bodies = bodies_, .normal = faces_.normal, .place = body_place_};
+  driven_speed_ = std::max(walls_.approach(), closing_speed(driven, particles_, neighbors_, walls_, end, dt));
 }
 
 /// tau of eq. (11) [s]. In equilibrium alpha rho P / tau^2 balances rho k_n^2 (n - n0) / n0: with tau = 1 /
@@ -155,6 +164,8 @@ double Mps<dim>::response_time(double dt) const {
   return open_surface() ? 1 / rates(dt).density : dt;
 }
 
+template void Mps<2>::find_driven_speed(double, double);
+template void Mps<3>::find_driven_speed(double, double);
 template Field Mps<2>::body_change() const;
 template Field Mps<3>::body_change() const;
 template void Mps<2>::add_source_of_bodies(double);

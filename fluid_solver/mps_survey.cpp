@@ -49,7 +49,7 @@ StepReport Mps<dim>::survey(double end, double dt) {
   const double flight = free_flight * water_.spacing / std::max(fastest, 1e-12);
   return {.pressure = {},
           .max_speed = fastest,
-          .max_window = std::min(flight, longest_step(fastest_bound, wall_speed))};
+          .max_window = std::min(flight, longest_step(fastest_bound, std::max(driven_speed_, wall_speed)))};
 }
 
 /// Eq. (17) but for free flight, for water, walls and bodies of at most `speed` and walls of at most

@@ -207,8 +207,7 @@ void Walls<dim>::move(Particles<dim>& particles, double end, double dt) {
     particles.normal[i] = part.motion.place(X + part.normal[k], end) - particles.x[i];
     speed_ = std::max(speed_, particles.u[i].norm());
     if (number == 0) continue;
-    const Vec<dim> in_tank = tank_motion_.place(tank_motion_.origin(particles.x[i], end), end - dt);
-    approach_ = std::max(approach_, (particles.u[i] - (particles.x[i] - in_tank) / dt).norm());
+    approach_ = std::max(approach_, (particles.u[i] - tank_velocity(particles.x[i], end, dt)).norm());
   }
 }
 

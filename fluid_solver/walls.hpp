@@ -72,6 +72,11 @@ class Walls {
   /// Largest speed of an obstacle against the tank in the last move [m/s].
   double approach() const { return approach_; }
 
+  /// Mean velocity over the last move, of `dt`, of a point at rest in the tank that is at x now [m/s].
+  Vec<dim> tank_velocity(const Vec<dim>& x, double end, double dt) const {
+    return (x - tank_motion_.place(tank_motion_.origin(x, end), end - dt)) / dt;
+  }
+
   /// Largest mean speed that any point of a wall has between two times, `from` < `to` [s] [m/s].
   double speed_between(double from, double to) const;
 

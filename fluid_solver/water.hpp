@@ -70,6 +70,7 @@ template <int dim>
 struct WetBody {
   Shape<dim> shape;                ///< undeformed
   std::vector<Shape<dim>> clamps;  ///< regions in which the body is extended and fixed
+  bool held_at_rest = false;       ///< whether it is held by something that does not move in the tank
 };
 
 }  // namespace cosurge::fluid

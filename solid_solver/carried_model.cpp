@@ -29,13 +29,6 @@ CarriedModel<dim>::CarriedModel(std::unique_ptr<SolidModel> model, const Structu
   ramp_increment_ = Field::Zero(dim, model_->nodes());
 }
 
-/// Velocity of the carrier's point that is at X at the start [m/s]. Before the start everything stands still:
-/// a motion that begins with a speed gives its blow in the first window.
-template <int dim>
-Vec<dim> CarriedModel<dim>::carrier_velocity(const Motion<dim>& motion, const Vec<dim>& X, double t) const {
-  return t > 0 ? motion.velocity(X, t) : Vec<dim>::Zero();
-}
-
 /// Rotations of the bodies' carriers.
 template <int dim>
 std::vector<Mat<dim>> CarriedModel<dim>::turned(double t) const {
@@ -67,7 +60,7 @@ template <int dim>
 Field CarriedModel<dim>::carrier_velocities(const Field& place, double t) const {
   Field all(dim, place.cols());
   for (Eigen::Index n = 0; n < place.cols(); ++n)
-    set_column<dim>(all, n, carrier_velocity(carrier(n), column<dim>(place, n), t));
+    set_column<dim>(all, n, carrier(n).velocity(column<dim>(place, n), t));
   return all;
 }
 
@@ -83,8 +76,7 @@ Field CarriedModel<dim>::apparent_acceleration(const Field& place, const Window&
     const auto b = static_cast<std::size_t>(layout_.body[static_cast<std::size_t>(n)]);
     if (!motion_[b].moves()) continue;
     const Vec<dim> X = column<dim>(place, n), v_n = column<dim>(v, n);
-    const Vec<dim> carriers =
-        (carrier_velocity(motion_[b], X, end) - carrier_velocity(motion_[b], X, start)) / window.size;
+    const Vec<dim> carriers = (motion_[b].velocity(X, end) - motion_[b].velocity(X, start)) / window.size;
     const Vec<dim> coriolis = 2 / window.size * ((last[b] - first[b]) * v_n);
     const Vec<dim> seen = gravity_ - carriers - coriolis;
     set_column<dim>(all, n, middle[b].transpose() * seen - gravity_);
@@ -174,7 +166,7 @@ Snapshot CarriedModel<dim>::frame() const {
       v[k] = velocity->values[dim * p + static_cast<std::size_t>(k)];
     }
     const Vec<dim> x = motion_[b].place(X, time_);
-    v = carrier_velocity(motion_[b], X, time_) + now[b] * v;
+    v = motion_[b].velocity(X, time_) + now[b] * v;
     for (int k = 0; k < dim; ++k) {
       position->values[dim * p + static_cast<std::size_t>(k)] = static_cast<float>(x[k]);
       velocity->values[dim * p + static_cast<std::size_t>(k)] = static_cast<float>(v[k]);

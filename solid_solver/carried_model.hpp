@@ -34,7 +34,6 @@ class CarriedModel : public WrappedModel {
   const Motion<dim>& carrier(Eigen::Index node) const {
     return motion_[static_cast<std::size_t>(layout_.body[static_cast<std::size_t>(node)])];
   }
-  Vec<dim> carrier_velocity(const Motion<dim>& motion, const Vec<dim>& X, double t) const;
   std::vector<Mat<dim>> turned(double t) const;
   Field rotated(const Field& nodal, const std::vector<Mat<dim>>& rotation) const;
   Field carried(const Field& place, double t) const;

@@ -15,7 +15,15 @@ Body<dim> body_from_case(const v1::Case& the_case, const v1::Body& body) {
                  .clamps = {},
                  .supports = {},
                  .held = is_held(the_case.solid(), body),
-                 .carrier = from_case<dim>(motion_of(the_case, body))};
+                 .carrier = from_case<dim>(motion_of(the_case, body)),
+                 .velocity = Vec<dim>::Zero()};
+  if (body.velocity_size() > 0) {
+    const Vec<dim> velocity = from_case<dim>(body.velocity());
+    if (the_case.solid().model() == v1::SolidModel::sprung)
+      made.velocity = velocity;
+    else
+      made.carrier = Motion<dim>(velocity);
+  }
   for (const v1::Shape& clamp : body.clamp()) made.clamps.push_back(from_case<dim>(clamp));
   for (const v1::Support& support : body.support()) {
     made.supports.push_back({.box = from_case<dim>(support.box()), .along = {}});

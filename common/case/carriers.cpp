@@ -35,6 +35,12 @@ bool is_held(const v1::Solid& solid, const v1::Body& body) {
          solid.model() == v1::SolidModel::sprung;
 }
 
+bool is_held_at_rest(const v1::Case& the_case, const v1::Body& body) {
+  const v1::Solid& solid = the_case.solid();
+  if (!is_held(solid, body) || solid.model() == v1::SolidModel::sprung) return false;
+  return same(motion_of(the_case, body), the_case.fluid().tank_motion());
+}
+
 v1::WallMotion motion_of(const v1::Case& the_case, const v1::Body& body) {
   if (!is_held(the_case.solid(), body)) return {};
   if (body.has_motion()) return body.motion();

@@ -14,6 +14,9 @@ const v1::WallMotion& motion_of(const v1::Fluid& fluid, const v1::Obstacle& obst
 /// Whether clamps, supports or springs hold the body, or its model `rigid` does.
 bool is_held(const v1::Solid& solid, const v1::Body& body);
 
+/// Whether the body is held, and by something that does not move in the tank. A body on springs is free.
+bool is_held_at_rest(const v1::Case& the_case, const v1::Body& body);
+
 /// The motion of a body's holder: its own, else that of the obstacle in which its clamps lie, else the
 /// tank's. Empty if nothing holds the body.
 /// @throws Error where its clamps lie in things that move differently.

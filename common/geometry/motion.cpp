@@ -42,6 +42,11 @@ Motion<dim>::Motion(PoseTable<dim> table, const Vec<dim>& pivot) : pivot_(pivot)
 
 template <int dim>
 auto Motion<dim>::pose(double t) const -> Pose {
+  if (!uniform_.isZero()) {
+    Pose way = Pose::Zero();
+    way.template head<dim>() = t * uniform_;
+    return way;
+  }
   if (!table_.row.empty()) return from_table(t) - from_table(0);
   const double grown = t < formula_.ramp ? 0.5 * (1 - std::cos(pi * t / formula_.ramp)) : 1;
   const double start = formula_.ramp > 0 ? 0 : std::sin(formula_.phase);
@@ -109,6 +114,7 @@ template <int dim>
 Vec<dim> Motion<dim>::velocity(const Vec<dim>& X, double t) const {
   if (!moves()) return Vec<dim>::Zero();
   constexpr double dt = 1e-6;  // s: far below any motion's time, far above rounding
+  if (t == 0) return (place(X, dt) - X) / dt;
   return (place(X, t + dt) - place(X, t - dt)) / (2 * dt);
 }
 

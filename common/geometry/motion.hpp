@@ -40,8 +40,11 @@ class Motion {
   Motion(const Oscillation<dim>& oscillation, const Vec<dim>& pivot);
   Motion(PoseTable<dim> table, const Vec<dim>& pivot);
 
+  /// A constant velocity [m/s].
+  explicit Motion(const Vec<dim>& velocity) : uniform_(velocity) {}
+
   /// Whether the wall moves at all.
-  bool moves() const { return formula_.frequency > 0 || !table_.row.empty(); }
+  bool moves() const { return formula_.frequency > 0 || !table_.row.empty() || !uniform_.isZero(); }
 
   /// Where the wall's point X is at time t [s].
   Vec<dim> place(const Vec<dim>& X, double t) const;
@@ -49,7 +52,7 @@ class Motion {
   /// The point of the wall at rest that is at x at time t.
   Vec<dim> origin(const Vec<dim>& x, double t) const;
 
-  /// The velocity at time t of the wall's point X [m/s].
+  /// The velocity at time t of the wall's point X; at t = 0 that of a motion that begins with a speed [m/s].
   Vec<dim> velocity(const Vec<dim>& X, double t) const;
 
   /// The rotation from the start to time t.
@@ -70,6 +73,7 @@ class Motion {
   Vec<dim> pivot_ = Vec<dim>::Zero();
   Oscillation<dim> formula_ = {.amplitude = Pose::Zero(), .frequency = 0, .phase = 0, .ramp = 0};
   PoseTable<dim> table_;
+  Vec<dim> uniform_ = Vec<dim>::Zero();
   std::vector<Pose> slope_;  // at the rows of the table
 };
 

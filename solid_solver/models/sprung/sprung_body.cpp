@@ -9,7 +9,8 @@
 namespace cosurge::sprung {
 template <int dim>
 SprungBody<dim>::SprungBody(const Shape<dim>& shape, std::size_t index,
-                            const SprungParameters<dim>& parameters, double density, const Vec<dim>& gravity)
+                            const SprungParameters<dim>& parameters, double density, const Vec<dim>& gravity,
+                            const Vec<dim>& velocity)
     : shape_(shape), gravity_(gravity) {
   const ShapeMoments<dim> moments(shape_);
   pivot_ = parameters.pivot.value_or(moments.centre);
@@ -25,7 +26,7 @@ SprungBody<dim>::SprungBody(const Shape<dim>& shape, std::size_t index,
       mass_ * (centre * centre.transpose() + slopes.transpose() * moments.second * slopes / moments.volume);
   for (std::size_t k = 0; k < dim; ++k)
     if (const std::optional<Spring>& spring = parameters.along[k])
-      translations_[k] = {.free = true, .spring = *spring, .state = {}};
+      translations_[k] = {.free = true, .spring = *spring, .state = {.velocity = velocity[k]}};
   const Mat<dim> second =
       mass_ * (moments.second / moments.volume + arm_to_centre_ * arm_to_centre_.transpose());
   turning_.emplace(parameters.turn, second, length_);

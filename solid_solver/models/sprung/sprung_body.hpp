@@ -23,8 +23,9 @@ class SprungBody {
   using Coefficients = Eigen::Matrix<double, nodes, 1>;
 
   /// @param index of the body, for messages
+  /// @param velocity at the start, along free axes [m/s]
   SprungBody(const Shape<dim>& shape, std::size_t index, const SprungParameters<dim>& parameters,
-             double density, const Vec<dim>& gravity);
+             double density, const Vec<dim>& gravity, const Vec<dim>& velocity);
 
   /// The point's motion is the sum of the nodes' with these coefficients.
   Coefficients coefficients(const Vec<dim>& x) const;

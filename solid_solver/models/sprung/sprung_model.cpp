@@ -12,7 +12,8 @@ template <int dim>
 SprungModel<dim>::SprungModel(const Structure<dim>& structure, const SprungParameters<dim>& parameters) {
   for (std::size_t b = 0; b < structure.bodies.size(); ++b) {
     const Shape<dim>& shape = structure.bodies[b].shape;
-    bodies_.emplace_back(shape, b, parameters, structure.material.density, structure.gravity);
+    bodies_.emplace_back(shape, b, parameters, structure.material.density, structure.gravity,
+                         structure.bodies[b].velocity);
     const BodySites<dim> sites(shape, structure.spacing);
     for (const Vec<dim>& x : sites.all())
       sites_.push_back({.body = b, .position = x, .coefficients = bodies_.back().coefficients(x)});

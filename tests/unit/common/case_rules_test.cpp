@@ -282,6 +282,21 @@ TEST(CaseRules, WhatHoldsABodyMovesInOneWay) {
               HasSubstr("solid.body.0.motion: is the motion of what holds the body, but nothing holds it"));
 }
 
+TEST(CaseRules, OnlyABodyThatCanHaveItMayStartWithAVelocity) {
+  const std::string velocity = "solid.body.0.velocity=[0.0, -2.0]";
+  EXPECT_THAT(errors_of(CaseText().file(), {velocity}),
+              HasSubstr("solid.body.0.velocity: is the initial velocity of a free body"));
+  EXPECT_EQ(errors_of(CaseText().file(), {velocity, "solid.body.0.clamp=[]"}), "");
+  const std::vector<std::string> on_springs = {velocity, "solid.body.0.clamp=[]", "solid.model=sprung"};
+  const auto with = [&](const std::string& spring) {
+    std::vector<std::string> all = on_springs;
+    all.push_back(spring);
+    return errors_of(CaseText().file(), all);
+  };
+  EXPECT_THAT(with("solid.sprung.spring=[{ motion = \"x\" }]"), HasSubstr("the body is fixed along y"));
+  EXPECT_EQ(with("solid.sprung.spring=[{ motion = \"y\" }]"), "");
+}
+
 TEST(CaseErrors, ArePlacedAtTheNearestKeyThatStandsInTheFile) {
   CaseErrors errors;
   errors.places = {{"", "case.toml"}, {"fluid", "case.toml:3"}};
