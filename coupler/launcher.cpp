@@ -49,7 +49,7 @@ Solver Solver::by_hand(Role role, const Wiring& wiring, const std::string& progr
 Solver Solver::thread(std::unique_ptr<Participant> participant, double patience, int threads) {
   // As for a solver program: while one solver answers, the other waits.
   constexpr double patience_of_solver = 3600;
-  const Role role = participant->identity().role;
+  const Role role = participant->role();
   const std::string token = new_token();
   auto [near, far] = Channel::pair({.peer = solver_name(role), .patience = patience},
                                    {.peer = "the coupler", .patience = patience_of_solver});
@@ -79,11 +79,12 @@ RemoteParticipant& Solver::join(int dimension, const std::vector<std::string>& c
   Channel channel = std::move(*channel_);
   channel_.reset();
   channel.set_cancelled(std::move(cancelled));
-  participant_ = std::make_unique<RemoteParticipant>(
-      std::move(channel),
-      RemoteParticipant::Expectation{
-          .role = role_, .token = token_, .dimension = dimension, .capabilities = capabilities},
-      ended);
+  const RemoteParticipant::Expectation expected{
+      .role = role_, .token = token_, .dimension = dimension, .capabilities = capabilities};
+  if (role_ == Role::fluid)
+    participant_ = std::make_unique<RemoteFluid>(std::move(channel), expected, ended);
+  else
+    participant_ = std::make_unique<RemoteSolid>(std::move(channel), expected, ended);
   return *participant_;
 }
 

@@ -41,7 +41,8 @@ void start(Simulation& simulation, const RunOptions& options, Role role, const f
   const Reach reach{
       .patience = options.patience, .threads = options.threads, .log = folder / (name + "_solver.log")};
   if (options.in_process)
-    return simulation.in_thread(fluid ? make_fluid_solver() : make_solid_solver(), reach);
+    return fluid ? simulation.in_thread(make_fluid_solver(), reach)
+                 : simulation.in_thread(make_solid_solver(), reach);
   if (const auto endpoint = by_hand(options, name))
     return say("start the {} solver:\n  {}\n", name, simulation.by_hand(role, *endpoint, reach));
   simulation.in_process(role, fluid ? "" : options.solid, reach);

@@ -63,7 +63,7 @@ class Simulation::Parts {
     const Identity identity = participant->identity();
     require(std::count(identity.dimensions.begin(), identity.dimensions.end(), case_.dimension()) > 0,
             "{} does not compute scenes of {} dimensions", identity.program, case_.dimension());
-    return free_seat(identity.role);
+    return free_seat(participant->role());
   }
 
   /// For the sockets of solvers elsewhere; there where it is needed.
@@ -77,8 +77,7 @@ class Simulation::Parts {
       if (seat->solver)
         seat->solver->join(case_.dimension(), {"save", "frame"}, [this] { return cancelled(); });
     joined_ = true;
-    coupler_ = std::make_unique<Coupler>(
-        case_, Participants{.fluid = fluid_.participant(), .solid = solid_.participant()});
+    coupler_ = std::make_unique<Coupler>(case_, Participants{.fluid = fluid(), .solid = solid()});
   }
 
   void end(const std::string& reason, bool at_once) {
@@ -101,6 +100,8 @@ class Simulation::Parts {
   }
 
   Seat& seat(Role role) { return role == Role::fluid ? fluid_ : solid_; }
+  Fluid* fluid() { return dynamic_cast<Fluid*>(fluid_.participant()); }
+  Solid* solid() { return dynamic_cast<Solid*>(solid_.participant()); }
 
   Coupler& coupler() {
     require(coupler_ != nullptr, "the simulation has not begun: call begin() first");
@@ -153,7 +154,7 @@ void Simulation::here(std::unique_ptr<Participant> participant) {
 void Simulation::in_thread(std::unique_ptr<Participant> participant, const Reach& reach) {
   Seat& seat = parts_->free_seat(participant);
   parts_->sockets();  // it needs none, but with the folder go those of runs that were killed
-  const int threads = threads_of(participant->identity().role, reach.threads);
+  const int threads = threads_of(participant->role(), reach.threads);
   seat.solver.emplace(Solver::thread(std::move(participant), reach.patience, threads));
 }
 
@@ -202,7 +203,8 @@ std::vector<std::string> Simulation::doubts() const { return cosurge::doubts(the
 const std::vector<Member>& Simulation::members() const { return parts_->coupler().members(); }
 std::vector<Column> Simulation::columns() const { return parts_->coupler().columns(); }
 double Simulation::time() const { return parts_->coupler().time(); }
-Participant* Simulation::participant(Role role) { return parts_->seat(role).participant(); }
+Fluid* Simulation::fluid() { return parts_->fluid(); }
+Solid* Simulation::solid() { return parts_->solid(); }
 Coupler& Simulation::coupler() { return parts_->coupler(); }
 double Simulation::exchange_seconds() const { return parts_->exchange_seconds(); }
 void Simulation::end(const std::string& reason, bool at_once) { parts_->end(reason, at_once); }

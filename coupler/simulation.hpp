@@ -40,8 +40,8 @@ class Simulation {
   Simulation(Simulation&&) noexcept;
   ~Simulation();  ///< ends the solvers that compute elsewhere
 
-  // Who takes part, each in the role of its identity. All throw Error where the case has no such role, or the
-  // role is taken.
+  // Who takes part, each in its role: a Fluid or a Solid. All throw Error where the case has no such role, or
+  // the role is taken.
 
   /// A participant of your own, called by this thread.
   void here(std::unique_ptr<Participant> participant);
@@ -84,7 +84,8 @@ class Simulation {
   const std::vector<Member>& members() const;  ///< fluid first; what stands in the columns of reports
   std::vector<Column> columns() const;         ///< of the coupler's own values
   double time() const;                         ///< reached [s]
-  Participant* participant(Role role);         ///< null where the case has none
+  Fluid* fluid();                              ///< null where the case has none
+  Solid* solid();                              ///< null where the case has none
   Coupler& coupler();
 
   /// Seconds that messages have cost beyond what the solvers computed.

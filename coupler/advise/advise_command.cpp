@@ -25,9 +25,9 @@ double dry_frequency(v1::Case the_case) {
     the_case.mutable_solid()->set_model(v1::SolidModel::fem);
   Interface no_points;
   no_points.dimension = the_case.dimension();
-  Surface surface = Surface::at_rest(the_case.dimension(), 0);
-  make_solid_solver()->initialize(the_case, no_points, surface);
-  return surface.frequency / (2 * std::numbers::pi);
+  InterfaceMotion motion;
+  make_solid_solver()->initialize(the_case, no_points, InterfaceLoad::zero(the_case.dimension(), 0), motion);
+  return motion.frequency / (2 * std::numbers::pi);
 }
 
 /// Whether walls or bodies have a prescribed motion.

@@ -44,17 +44,19 @@ class Numbers : public Observer {
 };
 
 /// A structure that moves away from the water at one speed.
-std::unique_ptr<MockParticipant> moving_plate(double speed) {
-  auto solid = std::make_unique<MockParticipant>(Role::solid);
+std::unique_ptr<MockSolid> moving_plate(double speed) {
+  auto solid = std::make_unique<MockSolid>();
   solid->state = {0};
-  solid->on_initialize = [](const v1::Case& the_case, Interface& interface, Surface& surface) {
-    surface = Surface::at_rest(the_case.dimension(), interface.points());
+  solid->on_initialize = [](const v1::Case& the_case, const Interface& interface, const InterfaceLoad&,
+                            InterfaceMotion& motion) {
+    motion = InterfaceMotion::at_rest(the_case.dimension(), interface.points());
     return Setup{.columns = {{"way", "m"}}, .particles = 1, .window = 1, .substep = 0};
   };
-  solid->on_advance = [speed, &way = solid->state[0]](const Window& window, Surface& surface) {
+  solid->on_advance = [speed, &way = solid->state[0]](const Window& window, const InterfaceLoad&,
+                                                      InterfaceMotion& motion) {
     way += speed * window.size;
-    surface.displacement.row(0).setConstant(way);
-    surface.velocity.row(0).setConstant(speed);
+    motion.displacement.row(0).setConstant(way);
+    motion.velocity.row(0).setConstant(speed);
     return Report{.values = {way}, .window = 1};
   };
   return solid;
@@ -125,7 +127,7 @@ TEST(Simulation, ReadsACaseFromATextAndSaysItsLines) {
   Simulation simulation = Simulation::of_text(text, {"time.end=0.02"});
   EXPECT_TRUE(simulation.run());
   EXPECT_DOUBLE_EQ(simulation.time(), 0.02);
-  EXPECT_EQ(simulation.participant(Role::solid), nullptr);
+  EXPECT_EQ(simulation.solid(), nullptr);
   EXPECT_THAT([&] { Simulation::of_text(text + "depth = 1\n"); },
               ThrowsMessage<Error>(HasSubstr("case:8: fluid.depth: unknown key")));
 }
