@@ -16,7 +16,8 @@
 namespace cosurge {
 namespace {
 
-constexpr std::array summed = {"kinetic_energy", "elastic_energy", "gravity_energy", "interface_work"};
+constexpr std::array summed = {"kinetic_energy", "elastic_energy",   "gravity_energy",  "interface_work",
+                               "substeps",       "seconds_substeps", "seconds_mapping", "cpu_seconds"};
 
 /// Does something with a structure, whose name is put in front of what it throws.
 template <typename Action>
@@ -136,14 +137,17 @@ void SolidGroup::add_sums(const std::vector<Setup>& setups, Setup& setup) {
   sums_.clear();
   for (const char* name : summed) {
     Sum sum;
+    std::string unit;
     for (const Setup& one : setups) {
       const auto found = std::find_if(one.columns.begin(), one.columns.end(),
                                       [&](const Column& column) { return column.name == name; });
-      if (found != one.columns.end()) sum.push_back(static_cast<std::size_t>(found - one.columns.begin()));
+      if (found == one.columns.end()) continue;
+      sum.push_back(static_cast<std::size_t>(found - one.columns.begin()));
+      unit = found->unit;
     }
     if (sum.size() < setups.size()) continue;
     sums_.push_back(sum);
-    setup.columns.push_back({name, "J"});
+    setup.columns.push_back({name, unit});
   }
 }
 

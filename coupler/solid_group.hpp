@@ -16,9 +16,9 @@ namespace cosurge {
 /// two have come into one place.
 ///
 /// Columns get the name of the structure in front ("hull/kinetic_energy"), except those of probes; the group
-/// adds the energies and the work of all, under the names that a single structure has ("kinetic_energy"). A
-/// frame has the arrays of all structures, with the particles of one after those of the other; an array that
-/// a structure does not have is zero there.
+/// adds the energies, works, steps and seconds of all, under the names that a single structure has
+/// ("kinetic_energy"). A frame has the arrays of all structures, with the particles of one after those of the
+/// other; an array that a structure does not have is zero there.
 class SolidGroup : public Solid {
  public:
   struct Entry {

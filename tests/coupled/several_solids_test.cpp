@@ -70,6 +70,9 @@ TEST_F(SeveralSolids, GiveTheSameBitsInOneProcessAndInFour) {
   expect_same_bits(apart, together);
   for (const std::string log : {"hull_solver.log", "panel_solver.log", "fluid_solver.log"})
     EXPECT_TRUE(fs::exists(folder("apart") / log)) << log;
+  const nlohmann::json structures = read_summary(folder("apart"))["participants"]["solid"]["structures"];
+  EXPECT_GE(structures["panel"]["steps"].get<std::uint64_t>(), apart.at("/history/time").size());
+  EXPECT_GT(structures["panel"]["seconds"]["cpu"].get<double>(), 0);
   // The hull moves as prescribed, 2 x 30 mm in half a period of 0.5 s.
   const double t = apart.at("/history/time").back(), y = -0.03 * (1 - std::cos(4 * std::acos(-1.0) * t));
   EXPECT_NEAR(apart.at("/history/solid/side_y").back(), y, 1e-12);

@@ -154,6 +154,32 @@ TEST(Simulation, RefusesParticipantsThatHaveNoPlace) {
   EXPECT_THAT([&] { water.here(moving_plate(0)); }, ThrowsMessage<Error>(HasSubstr("has no [solid]")));
 }
 
+TEST(Simulation, GivesEachOfSeveralStructuresASolverByItsName) {
+  const std::string hull = COSURGE_SOURCE_DIR "/cases/rigid_hull";
+  const std::vector<std::string> words = {"time.end=0.02"};
+  Simulation own = Simulation::of_file(hull, words);
+  Numbers first(own);
+  own.run();
+  const ScratchFolder scratch;
+  Simulation apart = Simulation::of_file(hull, words);
+  apart.in_process(Role::solid, "", {.log = scratch.path() / "panel.log", .solid = "panel"});
+  EXPECT_THAT([&] { apart.in_thread(make_solid_solver(), {.solid = "panel"}); },
+              ThrowsMessage<Error>(HasSubstr("the panel has a solver already")));
+  apart.here(make_solid_solver(), "hull");
+  Numbers second(apart);
+  apart.run();
+  EXPECT_GE(first.values.size(), 20U);
+  EXPECT_TRUE(first.values == second.values);
+
+  Simulation named = Simulation::of_file(hull, words), one = Simulation::of_file(small_dam_break, short_run);
+  EXPECT_THAT([&] { named.here(moving_plate(0)); },
+              ThrowsMessage<Error>("the case has several [[solid]]: name one of hull, panel"));
+  EXPECT_THAT([&] { named.here(moving_plate(0), "keel"); },
+              ThrowsMessage<Error>("the case has several [[solid]]: name one of hull, panel, not \"keel\""));
+  EXPECT_THAT([&] { one.here(moving_plate(0), "hull"); },
+              ThrowsMessage<Error>(HasSubstr("the case has one [solid]")));
+}
+
 TEST(Simulation, GivesUpTheWaitForASolverThatNobodyStarts) {
   Simulation simulation = Simulation::of_file(small_dam_break, short_run);
   EXPECT_THAT(simulation.by_hand(Role::solid), HasSubstr("solid_solver --connect "));
