@@ -188,7 +188,8 @@ void SolidGroup::watch(const Window& window, const InterfaceMotion& motion, Repo
   std::vector<std::string> place;
   for (const double x : places.col(overlap->first)) place.push_back(fmt::format("{:.4g}", x));
   report.notes.push_back(fmt::format(
-      "{} and {} overlap at ({}) m at t = {:.4g} s: structures do not feel each other's contact; bodies that "
+      "warning: {} and {} overlap at ({}) m at t = {:.4g} s: structures do not feel each other's contact; "
+      "bodies that "
       "can "
       "collide belong into one structure",
       name(overlap->first), name(overlap->second), fmt::join(place, ", "), window.start + window.size));

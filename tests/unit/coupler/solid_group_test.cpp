@@ -101,16 +101,20 @@ TEST(SolidGroup, GivesEachItsPointsAndJoinsTheirMotions) {
 TEST(SolidGroup, NumbersTheBodiesOfEachFromZero) {
   Group run;
   std::vector<std::vector<int>> bodies;
+  std::vector<Field> places;
   for (MockSolid* solid : {run.hull.get(), run.panel.get()})
-    solid->on_initialize = [&bodies](const v1::Case& the_case, const Interface& interface,
-                                     const InterfaceLoad&, InterfaceMotion& motion) {
+    solid->on_initialize = [&](const v1::Case& the_case, const Interface& interface, const InterfaceLoad&,
+                               InterfaceMotion& motion) {
       motion = InterfaceMotion::at_rest(2, interface.points());
       bodies.push_back(interface.body);
+      places.push_back(interface.position.row(0));
       bodies.push_back({the_case.solid().body_size()});
       return cosurge::Setup{.columns = {}, .particles = 0, .window = 1};
     };
   run.group.initialize(run.the_case, mixed_points(), run.load, run.motion);
   EXPECT_THAT(bodies, ElementsAre(ElementsAre(0, 1, 0), ElementsAre(2), ElementsAre(0, 0), ElementsAre(1)));
+  EXPECT_EQ(places.at(0), (Eigen::RowVector3d() << 2, 4, 5).finished());
+  EXPECT_EQ(places.at(1), (Eigen::RowVector2d() << 1, 3).finished());
 }
 
 TEST(SolidGroup, PutsNamesBeforeColumnsAndNotesAndAddsEnergies) {
@@ -202,7 +206,8 @@ TEST(SolidGroup, SaysOnceThatTwoStructuresHaveComeIntoOnePlace) {
   move_to(0.96);
   EXPECT_THAT(notes(5), ElementsAre());  // only every tenth window is looked at
   for (int attempt = 0; attempt < 2; ++attempt)
-    EXPECT_THAT(notes(10), ElementsAre(StartsWith("panel and hull overlap at (1.96, 0) m at t = 0.101 s")));
+    EXPECT_THAT(notes(10),
+                ElementsAre(StartsWith("warning: panel and hull overlap at (1.96, 0) m at t = 0.101 s")));
   EXPECT_THAT(notes(20), ElementsAre());
 }
 
