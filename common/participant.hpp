@@ -24,7 +24,6 @@ enum class Role { fluid, solid };
 
 /// Identity and capabilities of a participant, from the handshake.
 struct Identity {
-  Role role;
   std::string program;
   std::string version;
   std::vector<int> dimensions;            ///< dimensions that it can compute
@@ -49,18 +48,31 @@ struct Mode {
   double load = 0;      ///< load on the mode that the motion was computed with [N]
 };
 
-/// Data exchanged at the interface points: the solid fills the motion, the fluid the load.
-struct Surface {
+/// Motion of the interface points, from the solid.
+struct InterfaceMotion {
   Field displacement;  ///< [m] at the end of the solid's last window
   Field velocity;      ///< [m/s] mean over the solid's last window, or at its end, as set in the case
   Field
       ramp_increment;  ///< [m] integral of velocity * (t - start) / size over the window; zero for held loads
-  std::vector<Mode> modes;   ///< modes of a predicted motion; empty otherwise
-  double frequency = 0;      ///< angular frequency of the structure's slowest oscillation [rad/s]; 0: unknown
+  std::vector<Mode> modes;  ///< modes of a predicted motion; empty otherwise
+  double frequency = 0;     ///< angular frequency of the structure's slowest oscillation [rad/s]; 0: unknown
+
+  static InterfaceMotion at_rest(int dimension, Eigen::Index points);
+};
+
+/// Load on the interface points, from the fluid.
+struct InterfaceLoad {
   Field force;               ///< [N] on the solid (per metre of width in two dimensions) = -pressure * area
   Eigen::VectorXd pressure;  ///< [Pa]
 
-  static Surface at_rest(int dimension, Eigen::Index points);
+  static InterfaceLoad zero(int dimension, Eigen::Index points);
+};
+
+/// How often a participant goes through a window.
+enum class Attempt {
+  once,   ///< the window is not repeated
+  first,  ///< it may be repeated, so the participant remembers its state
+  again   ///< it is repeated from the state that the participant remembers
 };
 
 /// A coupling window: both solvers advance from start to start + size.
@@ -68,10 +80,7 @@ struct Window {
   std::uint64_t index = 0;
   double start = 0;  ///< [s]
   double size = 0;   ///< [s]
-
-  /// 0: the window is gone through once. 1: it may be gone through again, so the participant remembers its
-  /// state. n > 1: again, from the state that it remembers.
-  std::uint32_t attempt = 0;
+  Attempt attempt = Attempt::once;
 };
 
 /// A quantity that a participant reports after every window.
@@ -106,23 +115,16 @@ struct Array {
 /// The particles of a solver at one instant.
 using Snapshot = std::vector<Array>;
 
-/// A solver that can take part in a coupled run. Fluid, solids, the proxy over the wire and the mock of the
-/// tests implement it; the coupler knows nothing else. Legal order: initialize ( advance | save | restore |
-/// frame )* finalize. All calls throw Error or NumericalError if they cannot continue.
+/// A solver that can take part in a coupled run: a Fluid or a Solid. Cosurge's own solvers, the proxies over
+/// the wire and the mocks of the tests implement them; the coupler knows nothing else. Legal order:
+/// initialize ( advance | save | restore | frame )* finalize. All calls throw Error or NumericalError if they
+/// cannot continue.
 class Participant {
  public:
   virtual ~Participant() = default;
 
+  virtual Role role() const = 0;
   virtual Identity identity() const = 0;
-
-  /// Builds the initial state of a checked case. The fluid fills `interface`, the solid answers for its
-  /// points. Both leave `surface` at the start of the first window.
-  virtual Setup initialize(const v1::Case& the_case, Interface& interface, Surface& surface) = 0;
-
-  /// One window. The fluid reads the motion and fills the load; the solid reads the load and fills the
-  /// motion. Between attempts of one window only the velocity differs of what the fluid reads: its bodies
-  /// stay where they were at the start.
-  virtual Report advance(const Window& window, Surface& surface) = 0;
 
   /// The complete state as bytes: restore(save()) continues bit for bit, also in another process of the same
   /// build.
@@ -133,6 +135,34 @@ class Participant {
   virtual Snapshot frame() = 0;
 
   virtual void finalize() {}
+};
+
+/// The water: gets the motion of the interface points, and gives the load on them.
+class Fluid : public virtual Participant {
+ public:
+  Role role() const final { return Role::fluid; }
+
+  /// Builds the initial state of a checked case, and fills the interface and the load at the start of the
+  /// first window.
+  virtual Setup initialize(const v1::Case& the_case, Interface& interface, InterfaceLoad& load) = 0;
+
+  /// One window: reads the motion, and fills the load, which has its size already. Between attempts of one
+  /// window only the velocity of the motion differs: the bodies stay where they were at the start.
+  virtual Report advance(const Window& window, const InterfaceMotion& motion, InterfaceLoad& load) = 0;
+};
+
+/// A structure: gets the load on the interface points, and gives their motion.
+class Solid : public virtual Participant {
+ public:
+  Role role() const final { return Role::solid; }
+
+  /// Builds the initial state of a checked case, and fills the motion of the interface's points at the start
+  /// of the first window. `load` is the load before it.
+  virtual Setup initialize(const v1::Case& the_case, const Interface& interface, const InterfaceLoad& load,
+                           InterfaceMotion& motion) = 0;
+
+  /// One window: reads the load, and fills the motion, which has its size already.
+  virtual Report advance(const Window& window, const InterfaceLoad& load, InterfaceMotion& motion) = 0;
 };
 
 }  // namespace cosurge

@@ -7,7 +7,7 @@
 
 namespace cosurge {
 
-std::unique_ptr<Participant> make_fluid_solver();  // fluid_solver/fluid_participant.cpp
-std::unique_ptr<Participant> make_solid_solver();  // solid_solver/solid_participant.cpp
+std::unique_ptr<Fluid> make_fluid_solver();  // fluid_solver/fluid_participant.cpp
+std::unique_ptr<Solid> make_solid_solver();  // solid_solver/solid_participant.cpp
 
 }  // namespace cosurge

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "coupler/certify/abuse.hpp"
+#include "coupler/interface_state.hpp"
 #include "coupler/launcher.hpp"
 #include "coupler/run_folder.hpp"
 #include "coupler/say.hpp"
@@ -32,38 +33,47 @@ struct Trial {
                                 .log = folder.path() / "log"},
                                1)),
         participant(solver.join(2, {"save", "frame"})) {
-    if (options.role == Role::solid) points = points_of_plate(the_case);
-    surface = Surface::at_rest(2, points.points());
-    setup = participant.initialize(the_case, points, surface);
-    rest = surface;
+    if (solid != nullptr) {
+      points = points_of_plate(the_case);
+      state.load = InterfaceLoad::zero(2, points.points());
+      setup = solid->initialize(the_case, points, state.load, state.motion);
+    } else {
+      setup = fluid->initialize(the_case, points, state.load);
+      state.motion = InterfaceMotion::at_rest(2, points.points());
+    }
+    rest = state;
   }
 
   /// Window `index`; where the program is a solid, with `load` times a fixed pattern of forces.
-  Surface advance(std::uint64_t index, double load, std::uint32_t attempt = 0) {
-    if (points.points() > 0 && participant.identity().role == Role::solid)
+  InterfaceState advance(std::uint64_t index, double load, Attempt attempt = Attempt::once) {
+    if (solid != nullptr)
       for (Eigen::Index k = 0; k < points.points(); ++k)
-        surface.force.col(k) << load * std::sin(1.0 + 0.3 * static_cast<double>(k)),
+        state.load.force.col(k) << load * std::sin(1.0 + 0.3 * static_cast<double>(k)),
             load * 0.5 * std::cos(0.7 * static_cast<double>(k));
     Window window{.index = index, .start = static_cast<double>(index) * size, .size = size};
     window.attempt = attempt;
-    report = participant.advance(window, surface);
-    return surface;
+    report = solid != nullptr ? solid->advance(window, state.load, state.motion)
+                              : fluid->advance(window, state.motion, state.load);
+    return state;
   }
 
   RunFolder folder;
   v1::Case the_case;
   Solver solver;
   RemoteParticipant& participant;
+  Fluid* fluid = dynamic_cast<Fluid*>(&participant);  // null for a solid
+  Solid* solid = dynamic_cast<Solid*>(&participant);  // null for a fluid
   Interface points;
-  Surface surface, rest;
+  InterfaceState state, rest;
   Setup setup;
   Report report;
 };
 
 /// Throws if two answers are not bit-identical, with the difference.
-void expect_same(const Surface& a, const Surface& b, const std::string& what) {
-  require(a.displacement == b.displacement && a.velocity == b.velocity, "{}: the motion differs", what);
-  require(a.force == b.force && a.pressure == b.pressure, "{}: the load differs", what);
+void expect_same(const InterfaceState& a, const InterfaceState& b, const std::string& what) {
+  require(a.motion.displacement == b.motion.displacement && a.motion.velocity == b.motion.velocity,
+          "{}: the motion differs", what);
+  require(a.load.force == b.load.force && a.load.pressure == b.load.pressure, "{}: the load differs", what);
 }
 
 // Runs that are right
@@ -77,7 +87,7 @@ void comes_and_goes(const CertifyOptions& options) {
 
 void starts_at_rest(const CertifyOptions& options) {
   const Trial trial(options);
-  require(trial.rest.displacement.allFinite() && trial.rest.velocity.isZero(),
+  require(trial.rest.motion.displacement.allFinite() && trial.rest.motion.velocity.isZero(),
           "moves before the first window");
   require(trial.setup.window > 0, "its first window is not > 0");
 }
@@ -107,25 +117,26 @@ void shows_frames_of_one_kind(const CertifyOptions& options) {
 void goes_back_and_through_again(const CertifyOptions& options) {
   Trial trial(options);
   for (std::uint64_t n = 0; n < 3; ++n) trial.advance(n, small_load);
-  const Surface before = trial.surface;
-  const Surface first = trial.advance(3, small_load, 1);
-  trial.surface = before;
-  trial.advance(3, 2 * small_load, 2);
-  trial.surface = before;
-  expect_same(first, trial.advance(3, small_load, 3), "a third attempt with the load of the first");
+  const InterfaceState before = trial.state;
+  const InterfaceState first = trial.advance(3, small_load, Attempt::first);
+  trial.state = before;
+  trial.advance(3, 2 * small_load, Attempt::again);
+  trial.state = before;
+  expect_same(first, trial.advance(3, small_load, Attempt::again),
+              "a third attempt with the load of the first");
 }
 
 void continues_from_a_saved_state(const CertifyOptions& options) {
   Trial trial(options);
   for (std::uint64_t n = 0; n < 3; ++n) trial.advance(n, small_load);
   const std::string state = trial.participant.save();
-  const Surface then = trial.surface;
-  std::vector<Surface> whole;
+  const InterfaceState then = trial.state;
+  std::vector<InterfaceState> whole;
   for (std::uint64_t n = 3; n < 8; ++n) whole.push_back(trial.advance(n, small_load));
   Trial fresh(options);
   for (Trial* one : {&trial, &fresh}) {
     one->participant.restore(state);
-    one->surface = then;
+    one->state = then;
     for (std::uint64_t n = 3; n < 8; ++n)
       expect_same(whole[n - 3], one->advance(n, small_load),
                   one == &fresh ? "in a fresh process" : "restored");
@@ -137,7 +148,7 @@ void continues_from_a_saved_state(const CertifyOptions& options) {
 void stays_at_rest_without_load(const CertifyOptions& options) {
   Trial trial(options);
   for (std::uint64_t n = 0; n < 10; ++n) trial.advance(n, 0);
-  require((trial.surface.displacement - trial.rest.displacement).norm() == 0,
+  require((trial.state.motion.displacement - trial.rest.motion.displacement).norm() == 0,
           "moves without load or gravity");
 }
 
@@ -146,10 +157,11 @@ void stays_at_rest_without_load(const CertifyOptions& options) {
 void answers_by_the_transpose(const CertifyOptions& options) {
   const auto response = [&](Eigen::Index loaded) {
     Trial trial(options);
-    trial.surface.force.setZero();
-    trial.surface.force(0, loaded) = small_load;
-    trial.report = trial.participant.advance({.index = 0, .start = 0, .size = size}, trial.surface);
-    return Field(trial.surface.displacement - trial.rest.displacement);
+    trial.state.load.force.setZero();
+    trial.state.load.force(0, loaded) = small_load;
+    trial.report =
+        trial.solid->advance({.index = 0, .start = 0, .size = size}, trial.state.load, trial.state.motion);
+    return Field(trial.state.motion.displacement - trial.rest.motion.displacement);
   };
   const Trial trial(options);
   const Eigen::Index i = trial.points.points() - 1;
@@ -170,13 +182,13 @@ void moves_and_works_consistently(const CertifyOptions& options) {
   double work = 0;
   double gross = 0;
   for (std::uint64_t n = 0; n < 20; ++n) {
-    const Field before = trial.surface.displacement;
+    const Field before = trial.state.motion.displacement;
     trial.advance(n, small_load);
-    const Field step = trial.surface.displacement - before;
-    require((step - size * trial.surface.velocity).norm() <= rounding * (step.norm() + 1e-300),
+    const Field step = trial.state.motion.displacement - before;
+    require((step - size * trial.state.motion.velocity).norm() <= rounding * (step.norm() + 1e-300),
             "the velocity is not the mean over the window");
-    work += (trial.surface.force.array() * step.array()).sum();
-    gross += (trial.surface.force.array() * step.array()).abs().sum();
+    work += (trial.state.load.force.array() * step.array()).sum();
+    gross += (trial.state.load.force.array() * step.array()).abs().sum();
   }
   for (std::size_t k = 0; k < trial.setup.columns.size(); ++k)
     if (trial.setup.columns[k].name == "interface_work")

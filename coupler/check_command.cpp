@@ -17,9 +17,7 @@ void check_command(const std::string& case_path, const std::vector<std::string>&
   Simulation simulation(the_case);
   simulation.begin();
   if (!picture.empty())
-    write_case_picture(
-        picture, the_case,
-        {.fluid = simulation.participant(Role::fluid), .solid = simulation.participant(Role::solid)});
+    write_case_picture(picture, the_case, {.fluid = simulation.fluid(), .solid = simulation.solid()});
   const MeasuredSize size = measure_size(simulation);
   say("{}: the case is valid\n", the_case.title());
   say_size(the_case, size);

@@ -10,10 +10,22 @@
 namespace cosurge {
 namespace {
 
+/// Of the histories of deflection, one of each modal structure, the one with the largest value; null if there
+/// is none.
+const History* largest_deflection(const std::vector<History>& histories) {
+  const History* largest = nullptr;
+  for (const History& history : histories) {
+    if (is_largest_deflection(history.name()) &&
+        (largest == nullptr || history.max().value > largest->max().value))
+      largest = &history;
+  }
+  return largest;
+}
+
 /// A linear model that has left its range.
 void warn_of_deflection(const Recorder& recorder) {
   constexpr double small = small_deflection;
-  const History* deflection = recorder.history("solid/largest_deflection");
+  const History* deflection = largest_deflection(recorder.histories());
   if (deflection == nullptr || deflection->max().value <= small) return;
   say("warning: unreliable result: a body bends by {:.3g} % of its length at t = {:.4g} s; "
       "the model modal is linear and valid up to {:.0f} %; use solid.model = \"fem\"\n",
@@ -62,6 +74,10 @@ void advise(const std::filesystem::path& folder, bool broken_down, double checkp
 }
 
 }  // namespace
+
+bool is_largest_deflection(const std::string& history) {
+  return history.starts_with("solid/") && history.ends_with("/largest_deflection");
+}
 
 void conclude(const std::filesystem::path& folder, const Coupler& coupler, Recorder& recorder,
               double checkpoint_time, Outcome& outcome) {

@@ -13,6 +13,9 @@ namespace cosurge {
 /// section 6).
 constexpr double small_deflection = 0.05;
 
+/// Whether a history is the deflection of a structure that this limit is for.
+bool is_largest_deflection(const std::string& history);
+
 /// Writes the recorded data and the summary, as far as the disk accepts them, and prints the result of the
 /// run: remarks first; the last lines are its end with the reason and, unless it is finished, how to resume
 /// it. If something cannot be written, `outcome` has the reason afterwards.

@@ -30,16 +30,27 @@ Coupler::Coupler(const v1::Case& the_case, Participants participants)
       account_(the_case.coupling().load() == v1::Coupling::ramped) {
   interface_.dimension = the_case.dimension();
   interface_.position = interface_.area = Field::Zero(the_case.dimension(), 0);
-  surface_ = Surface::at_rest(the_case.dimension(), 0);
+  state_.load = InterfaceLoad::zero(the_case.dimension(), 0);
   largest_ = longest_window(the_case);
-  for (const auto& [name, participant] :
-       {std::pair{"fluid", participants.fluid}, {"solid", participants.solid}}) {
-    if (participant == nullptr) continue;
-    const Setup setup = participant->initialize(case_, interface_, surface_);
-    require_different(setup.columns, name);
-    members_.push_back({.name = name, .identity = participant->identity(), .setup = setup});
-    largest_ = std::min(largest_, setup.window);
-  }
+  if (Fluid* fluid = participants.fluid; fluid != nullptr)
+    take_in("fluid", *fluid, fluid->initialize(case_, interface_, state_.load));
+  state_.motion = InterfaceMotion::at_rest(the_case.dimension(), interface_.points());
+  if (Solid* solid = participants.solid; solid != nullptr)
+    take_in("solid", *solid, solid->initialize(case_, interface_, state_.load, state_.motion));
+}
+
+void Coupler::take_in(const std::string& name, const Participant& participant, const Setup& setup) {
+  require_different(setup.columns, name);
+  members_.push_back({.name = name, .identity = participant.identity(), .setup = setup});
+  largest_ = std::min(largest_, setup.window);
+}
+
+/// Those that are there, the fluid first.
+std::vector<Participant*> Coupler::all() const {
+  std::vector<Participant*> all;
+  if (participants_.fluid != nullptr) all.push_back(participants_.fluid);
+  if (participants_.solid != nullptr) all.push_back(participants_.solid);
+  return all;
 }
 
 bool Coupler::run(const Observers& observers, const std::function<bool()>& stop) {
@@ -66,13 +77,12 @@ bool Coupler::run(const Observers& observers, const std::function<bool()>& stop)
     if (effort.settled || schedule_.at_frame() || schedule_.finished()) settle(observers);
     if (schedule_.at_frame()) show_frame(observers);
   }
-  for (Participant* participant : {participants_.fluid, participants_.solid})
-    if (participant != nullptr) participant->finalize();
+  for (Participant* participant : all()) participant->finalize();
   return true;
 }
 
 void Coupler::pass(const Window& window) {
-  Reports reports = scheme_->advance(window, surface_, account_);
+  Reports reports = scheme_->advance(window, state_, account_);
   largest_ = longest_window(case_);
   for (const Report& report : reports) largest_ = std::min(largest_, report.window);
   schedule_.complete(window);
@@ -123,8 +133,7 @@ std::vector<double> Coupler::values() const {
 
 void Coupler::show_frame(const std::vector<Observer*>& observers) {
   std::vector<Snapshot> snapshots;
-  for (Participant* participant : {participants_.fluid, participants_.solid})
-    if (participant != nullptr) snapshots.push_back(participant->frame());
+  for (Participant* participant : all()) snapshots.push_back(participant->frame());
   for (Observer* observer : observers) observer->frame(schedule_.time(), snapshots);
 }
 
@@ -150,12 +159,12 @@ void Coupler::save_all_but_scheme(StateWriter& state) const {
   account_.save(state);
   state.put(unconverged_);
   state.put(largest_);
+  const InterfaceMotion& motion = state_.motion;
   for (const Field* field :
-       {&surface_.displacement, &surface_.velocity, &surface_.ramp_increment, &surface_.force})
+       {&motion.displacement, &motion.velocity, &motion.ramp_increment, &state_.load.force})
     state.put(*field);
-  state.put(surface_.pressure);
-  for (Participant* participant : {participants_.fluid, participants_.solid})
-    if (participant != nullptr) state.put(participant->save());
+  state.put(state_.load.pressure);
+  for (Participant* participant : all()) state.put(participant->save());
 }
 
 void Coupler::restore_all_but_scheme(StateReader& state) {
@@ -163,12 +172,12 @@ void Coupler::restore_all_but_scheme(StateReader& state) {
   account_.restore(state);
   state.get(unconverged_);
   state.get(largest_);
-  for (Field* field : {&surface_.displacement, &surface_.velocity, &surface_.ramp_increment, &surface_.force})
+  InterfaceMotion& motion = state_.motion;
+  for (Field* field : {&motion.displacement, &motion.velocity, &motion.ramp_increment, &state_.load.force})
     state.get(*field);
-  state.get(surface_.pressure);
-  surface_.modes.clear();
-  for (Participant* participant : {participants_.fluid, participants_.solid}) {
-    if (participant == nullptr) continue;
+  state.get(state_.load.pressure);
+  motion.modes.clear();
+  for (Participant* participant : all()) {
     std::string saved;
     state.get(saved);
     participant->restore(saved);

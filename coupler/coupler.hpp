@@ -54,6 +54,8 @@ class Coupler {
   void tell(const Observers& observers);
   std::vector<double> values() const;
   void show_frame(const Observers& observers);
+  std::vector<Participant*> all() const;
+  void take_in(const std::string& name, const Participant& participant, const Setup& setup);
   void save_all_but_scheme(StateWriter& state) const;
   void restore_all_but_scheme(StateReader& state);
 
@@ -61,7 +63,7 @@ class Coupler {
   Participants participants_;
   std::vector<Member> members_;
   Interface interface_;
-  Surface surface_;
+  InterfaceState state_;
   WindowSchedule schedule_;
   std::unique_ptr<Scheme> scheme_;
   InterfaceAccount account_;

@@ -4,21 +4,21 @@
 
 namespace cosurge {
 
-void InterfaceAccount::open(const Surface& surface) {
-  displacement_ = surface.displacement;
-  if (load_.size() == 0) load_ = Field::Zero(surface.force.rows(), surface.force.cols());
+void InterfaceAccount::open(const InterfaceState& interface) {
+  displacement_ = interface.motion.displacement;
+  if (load_.size() == 0) load_ = Field::Zero(interface.load.force.rows(), interface.load.force.cols());
 }
 
-void InterfaceAccount::close(const Surface& surface, const Field& seen, const Window& window) {
-  const Field moved = surface.displacement - displacement_;
-  const Field& late = surface.ramp_increment;
-  const double work = ramped_
-                          ? load_.cwiseProduct(moved - late).sum() + surface.force.cwiseProduct(late).sum()
-                          : surface.force.cwiseProduct(moved).sum();
+void InterfaceAccount::close(const InterfaceState& interface, const Field& seen, const Window& window) {
+  const Field moved = interface.motion.displacement - displacement_;
+  const Field& late = interface.motion.ramp_increment;
+  const double work =
+      ramped_ ? load_.cwiseProduct(moved - late).sum() + interface.load.force.cwiseProduct(late).sum()
+              : interface.load.force.cwiseProduct(moved).sum();
   work_ += work;
   passed_ += std::abs(work);
-  seen_work_ += window.size * surface.force.cwiseProduct(seen).sum();
-  load_ = surface.force;
+  seen_work_ += window.size * interface.load.force.cwiseProduct(seen).sum();
+  load_ = interface.load.force;
 }
 
 std::vector<Column> InterfaceAccount::columns(int dimension) {

@@ -1,8 +1,8 @@
 // Work and force at the interface.
 #pragma once
 
-#include "common/participant.hpp"
 #include "common/state_bytes.hpp"
+#include "coupler/interface_state.hpp"
 
 namespace cosurge {
 
@@ -15,12 +15,12 @@ class InterfaceAccount {
   explicit InterfaceAccount(bool ramped) : ramped_(ramped) {}
 
   /// Before the solid gets the new load of a window.
-  void open(const Surface& surface);
+  void open(const InterfaceState& interface);
 
   /// After the solid has moved. The load goes from f0 to f over the window on a ramp s: the work is
   /// f0 . (du - m) + f . m with m the integral of s du; a held load is f all the while. `seen` is the
   /// velocity that the water had for the load.
-  void close(const Surface& surface, const Field& seen, const Window& window);
+  void close(const InterfaceState& interface, const Field& seen, const Window& window);
 
   double work() const { return work_; }                  ///< done on the solid so far [J]
   double seen_work() const { return seen_work_; }        ///< the same by the fluid's account [J]

@@ -7,6 +7,7 @@
 
 #include "common/case/bodies.hpp"
 #include "common/case/from_case.hpp"
+#include "common/case/several_solids.hpp"
 #include "common/geometry/body_sites.hpp"
 
 namespace cosurge {
@@ -88,7 +89,8 @@ Mesh points_mesh(std::size_t particles) {
 }
 
 Mesh lattice_mesh(const v1::Case& the_case, const Array& position) {
-  const bool has_lattice = the_case.solid().has_spacing() || the_case.has_fluid();
+  const bool one_lattice = !has_several_solids(the_case);
+  const bool has_lattice = one_lattice && (the_case.solid().has_spacing() || the_case.has_fluid());
   Mesh mesh;
   if (has_lattice && position.components == the_case.dimension()) {
     mesh.corners = 1 << the_case.dimension();

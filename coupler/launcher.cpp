@@ -6,10 +6,14 @@
 namespace cosurge {
 namespace {
 
-std::string solver_name(Role role) { return fmt::format("the {} solver", role_name(role)); }
+std::string name_of(Role role, const std::string& name) { return name.empty() ? role_name(role) : name; }
 
-std::filesystem::path connection_file(Role role, const std::filesystem::path& folder) {
-  return folder / fmt::format("{}.connection", role_name(role));
+std::string solver_name(Role role, const std::string& name) {
+  return fmt::format("the {} solver", name_of(role, name));
+}
+
+std::filesystem::path connection_file(Role role, const Wiring& wiring) {
+  return wiring.folder / fmt::format("{}.connection", name_of(role, wiring.name));
 }
 
 }  // namespace
@@ -20,20 +24,21 @@ Solver::Solver(Role role, std::string token, Channel channel)
 Solver::Solver(Solver&&) noexcept = default;
 
 Solver Solver::waiting(Role role, const Wiring& wiring) {
-  const std::string socket = fmt::format("ipc://{}/{}", wiring.folder.string(), role_name(role));
-  Channel channel = Channel::listen(
-      wiring.listen.empty() ? socket : wiring.listen,
-      {.peer = solver_name(role), .patience = wiring.patience, .message_limit = wiring.message_limit});
+  const std::string socket = fmt::format("ipc://{}/{}", wiring.folder.string(), name_of(role, wiring.name));
+  Channel channel = Channel::listen(wiring.listen.empty() ? socket : wiring.listen,
+                                    {.peer = solver_name(role, wiring.name),
+                                     .patience = wiring.patience,
+                                     .message_limit = wiring.message_limit});
   const Connection connection{
       .role = role, .endpoint = channel.endpoint(), .token = new_token(), .server_key = channel.server_key()};
-  write_connection(connection, connection_file(role, wiring.folder));
+  write_connection(connection, connection_file(role, wiring));
   return {role, connection.token, std::move(channel)};
 }
 
 Solver Solver::process(Role role, const Wiring& wiring, Command command, int threads) {
   Solver solver = waiting(role, wiring);
-  const std::vector<std::string> added = {"--connect", connection_file(role, wiring.folder).string(),
-                                          "--threads", std::to_string(threads)};
+  const std::vector<std::string> added = {"--connect", connection_file(role, wiring).string(), "--threads",
+                                          std::to_string(threads)};
   command.arguments.insert(command.arguments.end(), added.begin(), added.end());
   solver.process_ = std::make_unique<SolverProcess>(command);
   return solver;
@@ -41,17 +46,17 @@ Solver Solver::process(Role role, const Wiring& wiring, Command command, int thr
 
 Solver Solver::by_hand(Role role, const Wiring& wiring, const std::string& program) {
   Solver solver = waiting(role, wiring);
-  solver.how_to_start_ =
-      fmt::format("{} --connect {}", program, connection_file(role, wiring.folder).string());
+  solver.how_to_start_ = fmt::format("{} --connect {}", program, connection_file(role, wiring).string());
   return solver;
 }
 
-Solver Solver::thread(std::unique_ptr<Participant> participant, double patience, int threads) {
+Solver Solver::thread(std::unique_ptr<Participant> participant, double patience, int threads,
+                      const std::string& name) {
   // As for a solver program: while one solver answers, the other waits.
   constexpr double patience_of_solver = 3600;
-  const Role role = participant->identity().role;
+  const Role role = participant->role();
   const std::string token = new_token();
-  auto [near, far] = Channel::pair({.peer = solver_name(role), .patience = patience},
+  auto [near, far] = Channel::pair({.peer = solver_name(role, name), .patience = patience},
                                    {.peer = "the coupler", .patience = patience_of_solver});
   Solver solver(role, token, std::move(near));
   std::promise<void> over;
@@ -79,11 +84,12 @@ RemoteParticipant& Solver::join(int dimension, const std::vector<std::string>& c
   Channel channel = std::move(*channel_);
   channel_.reset();
   channel.set_cancelled(std::move(cancelled));
-  participant_ = std::make_unique<RemoteParticipant>(
-      std::move(channel),
-      RemoteParticipant::Expectation{
-          .role = role_, .token = token_, .dimension = dimension, .capabilities = capabilities},
-      ended);
+  const RemoteParticipant::Expectation expected{
+      .role = role_, .token = token_, .dimension = dimension, .capabilities = capabilities};
+  if (role_ == Role::fluid)
+    participant_ = std::make_unique<RemoteFluid>(std::move(channel), expected, ended);
+  else
+    participant_ = std::make_unique<RemoteSolid>(std::move(channel), expected, ended);
   return *participant_;
 }
 

@@ -16,10 +16,11 @@ namespace cosurge {
 
 /// Address and settings of the connection to a solver.
 struct Wiring {
-  std::filesystem::path folder;  ///< gets ROLE.connection and, unless `listen` says otherwise, the socket
+  std::filesystem::path folder;  ///< gets NAME.connection and, unless `listen` says otherwise, the socket
   std::string listen;            ///< "tcp://address:port", or empty for a socket in the folder
   double patience = 600;         ///< longest wait for the solver's answer [s]
   std::size_t message_limit = Channel::Options{}.message_limit;  ///< [bytes]
+  std::string name = {};  ///< of the solver, in messages and in the names of its files; default: its role
 };
 
 /// A solver that runs elsewhere. It is started at once, and welcomed by join(), so that several can start
@@ -29,8 +30,9 @@ class Solver {
   /// Starts `command` as a child, with --connect and --threads added. `threads`: 0 leaves it to OpenMP.
   static Solver process(Role role, const Wiring& wiring, Command command, int threads);
 
-  /// Serves a participant in a thread of this process.
-  static Solver thread(std::unique_ptr<Participant> participant, double patience, int threads);
+  /// Serves a participant in a thread of this process. `name`: as in Wiring.
+  static Solver thread(std::unique_ptr<Participant> participant, double patience, int threads,
+                       const std::string& name = {});
 
   /// Waits for somebody to type how_to_start().
   static Solver by_hand(Role role, const Wiring& wiring, const std::string& program);

@@ -42,14 +42,18 @@ void add_solvers(CLI::App& command, cosurge::RunOptions& options) {
   command
       .add_option(
           "--by-hand", options.by_hand,
-          "Wait for a solver instead of starting it: fluid or solid, and the address (solid=tcp://*:5555; "
-          "default: a socket on this machine). The command to start it is printed")
+          "Wait for a solver instead of starting it: fluid, solid or the name of one of several structures, "
+          "and "
+          "the address (solid=tcp://*:5555; default: a socket on this machine). The command to start it is "
+          "printed")
       ->take_all()
       ->excludes(in_process);
   command
       .add_option("--solid", options.solid,
                   "Your own program instead of solid_solver, with its arguments in one text; it gets "
-                  "--connect and --threads (docs/write_your_own_solid.md)")
+                  "--connect and --threads (docs/write_your_own_solid.md); NAME=PROGRAM for one of several "
+                  "structures")
+      ->take_all()
       ->excludes(in_process);
   command.add_option("--threads", options.threads, "Threads of the fluid solver; 0: one per core")
       ->check(CLI::Range(0, 1024))

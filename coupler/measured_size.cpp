@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "common/case/carriers.hpp"
+#include "common/case/several_solids.hpp"
 #include "common/case/window_sizes.hpp"
 #include "coupler/coupler.hpp"
 #include "coupler/say.hpp"
@@ -60,8 +61,9 @@ void say_size(const v1::Case& the_case, const MeasuredSize& size) {
     say("\n");
   }
   for (int b = 0; b < the_case.solid().body_size(); ++b)
-    if (!is_held(the_case.solid(), the_case.solid().body(b)))
-      say("  {:<12} solid.body.{}: no clamp or support holds it\n", "free", b);
+    if (const v1::Body& body = the_case.solid().body(b); !is_held(solid_of(the_case, body), body))
+      say("  {:<12} {}: no clamp or support holds it\n", "free",
+          with_written_keys(the_case, fmt::format("solid.body.{}", b)));
   say("  {:<12} {} points\n", "interface", size.points);
   say("  {:<12} about {:.0f} of at most {:g} s, to t = {:g} s\n", "windows", size.windows,
       longest_window(the_case), the_case.time().end());

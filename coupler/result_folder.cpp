@@ -29,7 +29,10 @@ bool holds_a_run(const fs::path& folder) {
   for (const char* name : {"results.h5", "results.xdmf", "summary.json", "checkpoint", "checkpoint.old"})
     for (const char* state : {"", ".new"})
       if (is_taken(folder / (std::string(name) + state))) return true;
-  return is_taken(folder / "fluid_solver.log") || is_taken(folder / "solid_solver.log");
+  std::error_code unknown;  // a folder that cannot be read is refused where it is written to
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, unknown))
+    if (entry.path().filename().string().ends_with("_solver.log")) return true;
+  return false;
 }
 
 }  // namespace

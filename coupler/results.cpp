@@ -23,6 +23,17 @@ std::vector<double> all_rows(const H5::DataSet& series) {
   return first_rows(series, size.empty() ? 0 : size[0]);
 }
 
+/// The histories in a group, and in the groups in it.
+void add_names(const H5::Group& group, const std::string& place, std::vector<std::string>& names) {
+  for (hsize_t k = 0; k < group.getNumObjs(); ++k) {
+    const std::string name = group.getObjnameByIdx(k), whole = place + "/" + name;
+    if (group.childObjType(name) == H5O_TYPE_GROUP)
+      add_names(group.openGroup(name), whole, names);
+    else
+      names.push_back(whole);
+  }
+}
+
 }  // namespace
 
 template <typename Action>
@@ -76,10 +87,7 @@ std::vector<std::string> Results::histories() const {
     std::vector<std::string> names = {"time", "window"};
     for (hsize_t k = 0; k < root.getNumObjs(); ++k) {
       const std::string group = root.getObjnameByIdx(k);
-      if (root.childObjType(group) != H5O_TYPE_GROUP) continue;
-      const H5::Group inner = root.openGroup(group);
-      for (hsize_t j = 0; j < inner.getNumObjs(); ++j)
-        names.push_back(group + "/" + inner.getObjnameByIdx(j));
+      if (root.childObjType(group) == H5O_TYPE_GROUP) add_names(root.openGroup(group), group, names);
     }
     return names;
   });

@@ -1,10 +1,14 @@
 #include "coupler/run_command.hpp"
 
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 
 #include "common/case/case_doubts.hpp"
 #include "common/case/case_file.hpp"
+#include "common/case/several_solids.hpp"
 #include "common/error.hpp"
 #include "common/solvers.hpp"
 #include "coupler/checkpoint.hpp"
@@ -25,26 +29,59 @@ namespace fs = std::filesystem;
 constexpr int exit_failed = 1;
 constexpr int exit_interrupted = 130;
 
-/// The endpoint where a solver that is started by hand is awaited; nothing where it is not.
-std::optional<std::string> by_hand(const RunOptions& options, const std::string& role) {
-  for (const std::string& text : options.by_hand) {
-    if (text == role) return "";
-    if (text.starts_with(role + "=")) return text.substr(role.size() + 1);
+/// What follows "NAME=" in the option of this name, nothing for "NAME" alone.
+std::optional<std::string> of_name(const std::vector<std::string>& texts, const std::string& name) {
+  for (const std::string& text : texts) {
+    if (text == name) return "";
+    if (text.starts_with(name + "=")) return text.substr(name.size() + 1);
   }
   return std::nullopt;
 }
 
-/// Chooses who computes a role, and starts what computes elsewhere.
-void start(Simulation& simulation, const RunOptions& options, Role role, const fs::path& folder) {
+/// The user's own program for a structure; empty: Cosurge's.
+std::string program_of(const RunOptions& options, const std::string& solid) {
+  if (solid.empty()) return options.solid.empty() ? "" : options.solid.front();
+  return of_name(options.solid, solid).value_or("");
+}
+
+/// Checks that the options name solvers of the case.
+void require_names(const RunOptions& options, const v1::Case& the_case) {
+  std::vector<std::string> solids = solid_names(the_case), names = solids;
+  names.insert(names.begin(), "fluid");
+  const auto named = [](const std::vector<std::string>& all, const std::string& text) {
+    return std::find(all.begin(), all.end(), text.substr(0, text.find('='))) != all.end();
+  };
+  for (const std::string& text : options.by_hand)
+    require(named(names, text), "--by-hand {}: must be one of {}, or NAME=tcp://ADDRESS:PORT", text,
+            fmt::join(names, ", "));
+  if (!has_several_solids(the_case)) {
+    require(options.solid.size() <= 1,
+            "--solid {}: the case has one structure, only one program can compute it",
+            fmt::join(options.solid, " --solid "));
+    return;
+  }
+  for (const std::string& text : options.solid)
+    require(named(solids, text) && text.find('=') != std::string::npos,
+            "--solid {}: the case has several structures: must be NAME=PROGRAM, NAME one of {}", text,
+            fmt::join(solids, ", "));
+}
+
+/// Chooses who computes the fluid or a structure, and starts what computes elsewhere. `solid`: its name,
+/// where the case has several.
+void start(Simulation& simulation, const RunOptions& options, Role role, const std::string& solid,
+           const fs::path& folder) {
   const bool fluid = role == Role::fluid;
-  const std::string name = fluid ? "fluid" : "solid";
-  const Reach reach{
-      .patience = options.patience, .threads = options.threads, .log = folder / (name + "_solver.log")};
+  const std::string name = !solid.empty() ? solid : fluid ? "fluid" : "solid";
+  const Reach reach{.patience = options.patience,
+                    .threads = options.threads,
+                    .log = folder / (name + "_solver.log"),
+                    .solid = solid};
   if (options.in_process)
-    return simulation.in_thread(fluid ? make_fluid_solver() : make_solid_solver(), reach);
-  if (const auto endpoint = by_hand(options, name))
+    return fluid ? simulation.in_thread(make_fluid_solver(), reach)
+                 : simulation.in_thread(make_solid_solver(), reach);
+  if (const auto endpoint = of_name(options.by_hand, name))
     return say("start the {} solver:\n  {}\n", name, simulation.by_hand(role, *endpoint, reach));
-  simulation.in_process(role, fluid ? "" : options.solid, reach);
+  simulation.in_process(role, fluid ? "" : program_of(options, solid), reach);
 }
 
 /// A new case, or a resumption.
@@ -136,8 +173,9 @@ int launch(const RunOptions& options, const Job& job) {
   try {
     std::optional<Simulation> simulation(std::in_place, job.the_case);
     simulation->give_up_when(interrupted, overdue);
-    if (job.the_case.has_fluid()) start(*simulation, options, Role::fluid, job.folder);
-    if (job.the_case.has_solid()) start(*simulation, options, Role::solid, job.folder);
+    if (job.the_case.has_fluid()) start(*simulation, options, Role::fluid, "", job.folder);
+    for (const std::string& solid : solid_names(job.the_case))
+      start(*simulation, options, Role::solid, has_several_solids(job.the_case) ? solid : "", job.folder);
     const int exit_status = run_with(*simulation, job);
     const bool left_behind = simulation->left_behind();
     simulation.reset();
@@ -154,6 +192,7 @@ int launch(const RunOptions& options, const Job& job) {
 
 int run_command(const RunOptions& options) {
   const v1::Case the_case = load_case(options.case_path, options.overrides);
+  require_names(options, the_case);
   for (const std::string& doubt : doubts(the_case)) say("warning: {}\n", doubt);
   const ResultFolder folder(options.case_path, options.out);
   return launch(options, {.the_case = the_case,
@@ -164,6 +203,7 @@ int run_command(const RunOptions& options) {
 int resume_command(const RunOptions& options) {
   const ResultFolder folder = ResultFolder::of_a_run(options.out);
   const Resumption resumption = resumption_of(options.out, options.overrides);
+  require_names(options, resumption.checkpoint.the_case);
   return launch(options, {.the_case = resumption.checkpoint.the_case,
                           .folder = folder.path(),
                           .provenance = resumption.provenance,

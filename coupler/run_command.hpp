@@ -11,10 +11,12 @@ struct RunOptions {
   std::vector<std::string> overrides;
   std::string out;          ///< folder of the results; empty: results/NAME, numbered where it is taken
   bool in_process = false;  ///< solvers as threads of this process
-  std::vector<std::string> by_hand;  ///< "fluid", "solid=tcp://*:5555": solvers that somebody else starts
-  std::string solid;                 ///< command of a program instead of solid_solver; empty: none
-  int threads = 0;                   ///< threads of the fluid solver; 0: one per core
-  double patience = 600;             ///< longest wait for a solver's answer [s]
+  std::vector<std::string>
+      by_hand;  ///< "fluid", "solid=tcp://*:5555", "hull": solvers that somebody else starts
+  std::vector<std::string> solid;  ///< command of a program instead of solid_solver; of several structures
+                                   ///< NAME=COMMAND
+  int threads = 0;                 ///< threads of the fluid solver; 0: one per core
+  double patience = 600;           ///< longest wait for a solver's answer [s]
 };
 
 /// Runs a case. Returns the exit status: 0 finished, 1 failed, 130 interrupted; the results are readable

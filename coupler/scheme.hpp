@@ -12,8 +12,8 @@ namespace cosurge {
 
 /// The participants of a run; either may be missing.
 struct Participants {
-  Participant* fluid = nullptr;
-  Participant* solid = nullptr;
+  Fluid* fluid = nullptr;
+  Solid* solid = nullptr;
 };
 
 /// Report of a scheme on the last window.
@@ -37,9 +37,9 @@ class Scheme {
  public:
   virtual ~Scheme() = default;
 
-  /// One window of all participants from the `surface` at its start to that at its end; `account` gets the
-  /// load and the motion that stand in the end.
-  virtual Reports advance(const Window& window, Surface& surface, InterfaceAccount& account) = 0;
+  /// One window of all participants, with the `interface` at its start and then at its end; `account` gets
+  /// the load and the motion that stand in the end.
+  virtual Reports advance(const Window& window, InterfaceState& interface, InterfaceAccount& account) = 0;
 
   virtual const Effort& effort() const = 0;
   virtual bool may_go_back() const { return false; }  ///< whether there may be windows that are not settled

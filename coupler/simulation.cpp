@@ -1,6 +1,9 @@
 #include "coupler/simulation.hpp"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
+#include <deque>
 #include <iterator>
 #include <optional>
 #include <sstream>
@@ -8,6 +11,7 @@
 
 #include "common/case/case_doubts.hpp"
 #include "common/case/case_file.hpp"
+#include "common/case/several_solids.hpp"
 #include "common/error.hpp"
 #include "common/solvers.hpp"
 #include "common/wire/connection.hpp"
@@ -15,6 +19,7 @@
 #include "coupler/launcher.hpp"
 #include "coupler/program_path.hpp"
 #include "coupler/run_folder.hpp"
+#include "coupler/solid_group.hpp"
 
 namespace cosurge {
 namespace {
@@ -31,8 +36,9 @@ int threads_of(Role role, int wanted) {
   return wanted > 0 ? wanted : static_cast<int>(std::thread::hardware_concurrency());
 }
 
-/// Who computes a role: an object here, or a solver elsewhere.
+/// Who computes the fluid or a structure: an object here, or a solver elsewhere.
 struct Seat {
+  std::string name;  // "fluid", "solid", or that of one of several structures
   std::unique_ptr<Participant> object;
   std::optional<Solver> solver;
 
@@ -47,23 +53,27 @@ struct Seat {
 
 class Simulation::Parts {
  public:
-  explicit Parts(const v1::Case& the_case) : case_(the_case) {}
+  explicit Parts(const v1::Case& the_case) : case_(the_case) {
+    for (const std::string& name : solid_names(case_)) solids_.emplace_back().name = name;
+  }
 
-  /// The seat of a role. @throws Error where nobody may take it.
-  Seat& free_seat(Role role) {
+  /// The seat of a role, and of the structure of this name where the case has several. @throws Error where
+  /// nobody may take it.
+  Seat& free_seat(Role role, const std::string& solid) {
     require(case_.has_fluid() || role != Role::fluid, "the case has no [fluid]: nobody can compute it");
     require(case_.has_solid() || role != Role::solid, "the case has no [solid]: nobody can compute it");
     require(!coupler_, "the simulation has begun: who computes it cannot be chosen any more");
-    require(!seat(role).taken(), "the {} has a solver already", role_name(role));
-    return seat(role);
+    Seat& seat = role == Role::fluid ? fluid_ : seat_of(solid);
+    require(!seat.taken(), "the {} has a solver already", seat.name);
+    return seat;
   }
 
-  Seat& free_seat(const std::unique_ptr<Participant>& participant) {
+  Seat& free_seat(const std::unique_ptr<Participant>& participant, const std::string& solid) {
     require(participant != nullptr, "there is no participant: the pointer is empty");
     const Identity identity = participant->identity();
     require(std::count(identity.dimensions.begin(), identity.dimensions.end(), case_.dimension()) > 0,
             "{} does not compute scenes of {} dimensions", identity.program, case_.dimension());
-    return free_seat(identity.role);
+    return free_seat(participant->role(), solid);
   }
 
   /// For the sockets of solvers elsewhere; there where it is needed.
@@ -72,19 +82,19 @@ class Simulation::Parts {
   void begin() {
     if (coupler_) return;
     if (case_.has_fluid() && !fluid_.taken()) fluid_.object = make_fluid_solver();
-    if (case_.has_solid() && !solid_.taken()) solid_.object = make_solid_solver();
-    for (Seat* seat : {&fluid_, &solid_})
+    for (Seat& solid : solids_)
+      if (!solid.taken()) solid.object = make_solid_solver();
+    for (Seat* seat : seats())
       if (seat->solver)
         seat->solver->join(case_.dimension(), {"save", "frame"}, [this] { return cancelled(); });
     joined_ = true;
-    coupler_ = std::make_unique<Coupler>(
-        case_, Participants{.fluid = fluid_.participant(), .solid = solid_.participant()});
+    coupler_ = std::make_unique<Coupler>(case_, Participants{.fluid = fluid(), .solid = solid()});
   }
 
   void end(const std::string& reason, bool at_once) {
-    for (Seat* seat : {&fluid_, &solid_})
+    for (Seat* seat : seats())
       if (seat->solver) seat->solver->tell(reason);
-    for (Seat* seat : {&fluid_, &solid_}) {
+    for (Seat* seat : seats()) {
       if (!seat->solver) continue;
       if (at_once)
         left_behind_ |= !seat->solver->kill(reason, grace_at_once);
@@ -93,14 +103,27 @@ class Simulation::Parts {
     }
   }
 
-  double exchange_seconds() const {
+  double exchange_seconds() {
     double sum = 0;
-    for (const Seat* seat : {&fluid_, &solid_})
+    for (Seat* seat : seats())
       if (seat->solver) sum += seat->solver->participant().cost().exchange();
     return sum;
   }
 
-  Seat& seat(Role role) { return role == Role::fluid ? fluid_ : solid_; }
+  Fluid* fluid() { return dynamic_cast<Fluid*>(fluid_.participant()); }
+
+  /// All structures as one; null if there is none, or if its participant has not joined.
+  Solid* solid() {
+    if (solids_.empty()) return nullptr;
+    if (solids_.size() == 1) return dynamic_cast<Solid*>(solids_.front().participant());
+    if (!group_ && joined_) {
+      std::vector<SolidGroup::Entry> entries;
+      for (Seat& seat : solids_)
+        entries.push_back({.name = seat.name, .solid = dynamic_cast<Solid*>(seat.participant())});
+      group_.emplace(entries);
+    }
+    return group_ ? &*group_ : nullptr;
+  }
 
   Coupler& coupler() {
     require(coupler_ != nullptr, "the simulation has not begun: call begin() first");
@@ -115,18 +138,36 @@ class Simulation::Parts {
   std::function<bool()> within_window = [] { return false; };
 
  private:
+  /// The fluid's, then those of the structures.
+  std::vector<Seat*> seats() {
+    std::vector<Seat*> all = {&fluid_};
+    for (Seat& seat : solids_) all.push_back(&seat);
+    return all;
+  }
+
+  Seat& seat_of(const std::string& solid) {
+    const bool several = solids_.size() > 1;
+    for (Seat& seat : solids_)
+      if (several ? seat.name == solid : solid.empty()) return seat;
+    require(several, "the case has one [solid]: it has no name, not \"{}\"", solid);
+    throw Error(fmt::format("the case has several [[solid]]: name one of {}{}",
+                            fmt::join(solid_names(case_), ", "),
+                            solid.empty() ? "" : fmt::format(", not \"{}\"", solid)));
+  }
+
   /// Asked while a solver is waited for.
   bool cancelled() {
     if (joined_) return within_window();
-    for (Seat* seat : {&fluid_, &solid_})
+    for (Seat* seat : seats())
       if (seat->solver) seat->solver->turn_away_strangers();
     return before_start();
   }
 
   v1::Case case_;
   std::optional<RunFolder> sockets_;
-  Seat fluid_;
-  Seat solid_;
+  Seat fluid_{.name = "fluid", .object = {}, .solver = {}};
+  std::deque<Seat> solids_;
+  std::optional<SolidGroup> group_;  // of several structures
   std::unique_ptr<Coupler> coupler_;
   bool joined_ = false;
   bool left_behind_ = false;
@@ -145,34 +186,37 @@ Simulation Simulation::of_text(const std::string& toml, const std::vector<std::s
   return Simulation(read_case(toml, overrides, folder));
 }
 
-void Simulation::here(std::unique_ptr<Participant> participant) {
-  Seat& seat = parts_->free_seat(participant);
+void Simulation::here(std::unique_ptr<Participant> participant, const std::string& solid) {
+  Seat& seat = parts_->free_seat(participant, solid);
   seat.object = std::move(participant);
 }
 
 void Simulation::in_thread(std::unique_ptr<Participant> participant, const Reach& reach) {
-  Seat& seat = parts_->free_seat(participant);
+  Seat& seat = parts_->free_seat(participant, reach.solid);
   parts_->sockets();  // it needs none, but with the folder go those of runs that were killed
-  const int threads = threads_of(participant->identity().role, reach.threads);
-  seat.solver.emplace(Solver::thread(std::move(participant), reach.patience, threads));
+  const int threads = threads_of(participant->role(), reach.threads);
+  seat.solver.emplace(Solver::thread(std::move(participant), reach.patience, threads, reach.solid));
 }
 
 void Simulation::in_process(Role role, const std::string& command, const Reach& reach) {
-  Seat& seat = parts_->free_seat(role);
+  Seat& seat = parts_->free_seat(role, reach.solid);
   const std::string name = program_name(role);
+  const std::string log = reach.solid.empty() ? name : reach.solid + "_solver";
   std::istringstream text(command);
   std::vector<std::string> words(std::istream_iterator<std::string>(text), {});
   if (words.empty()) words.push_back(program_path(name).string());
   const Command start{.program = words.front(),
                       .arguments = {words.begin() + 1, words.end()},
-                      .log = reach.log.empty() ? std::filesystem::path(name + ".log") : reach.log};
-  const Wiring wiring{.folder = parts_->sockets(), .listen = "", .patience = reach.patience};
+                      .log = reach.log.empty() ? std::filesystem::path(log + ".log") : reach.log};
+  const Wiring wiring{
+      .folder = parts_->sockets(), .listen = "", .patience = reach.patience, .name = reach.solid};
   seat.solver.emplace(Solver::process(role, wiring, start, threads_of(role, reach.threads)));
 }
 
 std::string Simulation::by_hand(Role role, const std::string& listen, const Reach& reach) {
-  Seat& seat = parts_->free_seat(role);
-  const Wiring wiring{.folder = parts_->sockets(), .listen = listen, .patience = reach.patience};
+  Seat& seat = parts_->free_seat(role, reach.solid);
+  const Wiring wiring{
+      .folder = parts_->sockets(), .listen = listen, .patience = reach.patience, .name = reach.solid};
   seat.solver.emplace(Solver::by_hand(role, wiring, program_path(program_name(role)).string()));
   return seat.solver->how_to_start();
 }
@@ -202,7 +246,8 @@ std::vector<std::string> Simulation::doubts() const { return cosurge::doubts(the
 const std::vector<Member>& Simulation::members() const { return parts_->coupler().members(); }
 std::vector<Column> Simulation::columns() const { return parts_->coupler().columns(); }
 double Simulation::time() const { return parts_->coupler().time(); }
-Participant* Simulation::participant(Role role) { return parts_->seat(role).participant(); }
+Fluid* Simulation::fluid() { return parts_->fluid(); }
+Solid* Simulation::solid() { return parts_->solid(); }
 Coupler& Simulation::coupler() { return parts_->coupler(); }
 double Simulation::exchange_seconds() const { return parts_->exchange_seconds(); }
 void Simulation::end(const std::string& reason, bool at_once) { parts_->end(reason, at_once); }

@@ -18,6 +18,7 @@ struct Reach {
   double patience = 600;           ///< longest wait for an answer [s]
   int threads = 0;                 ///< of the solver; 0: one a core for a fluid, one for a solid
   std::filesystem::path log = {};  ///< what a program prints is added to it; default: NAME_solver.log
+  std::string solid = {};          ///< name of the structure, where the case has several [[solid]]
 };
 
 /// First the participants are chosen, then begin() sets them up and run() goes through the windows. For a
@@ -40,11 +41,11 @@ class Simulation {
   Simulation(Simulation&&) noexcept;
   ~Simulation();  ///< ends the solvers that compute elsewhere
 
-  // Who takes part, each in the role of its identity. All throw Error where the case has no such role, or the
-  // role is taken.
+  // Who takes part, each in its role: a Fluid or a Solid. All throw Error where the case has no such role, or
+  // the role is taken.
 
-  /// A participant of your own, called by this thread.
-  void here(std::unique_ptr<Participant> participant);
+  /// A participant of your own, called by this thread. `solid`: as in Reach.
+  void here(std::unique_ptr<Participant> participant, const std::string& solid = {});
 
   /// A participant of your own that computes in a thread of its own, behind the same wire as a program.
   void in_thread(std::unique_ptr<Participant> participant, const Reach& reach = {});
@@ -84,7 +85,8 @@ class Simulation {
   const std::vector<Member>& members() const;  ///< fluid first; what stands in the columns of reports
   std::vector<Column> columns() const;         ///< of the coupler's own values
   double time() const;                         ///< reached [s]
-  Participant* participant(Role role);         ///< null where the case has none
+  Fluid* fluid();                              ///< null where the case has none
+  Solid* solid();                              ///< null where the case has none; several structures as one
   Coupler& coupler();
 
   /// Seconds that messages have cost beyond what the solvers computed.

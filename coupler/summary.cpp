@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/case/probe_columns.hpp"
+#include "common/case/several_solids.hpp"
 #include "common/version.hpp"
 #include "coupler/replace_file.hpp"
 
@@ -41,28 +42,37 @@ Json probes(const Recorder& recorder) {
   return probes;
 }
 
-/// Seconds of every phase that a participant reports, and of its processor.
-Json seconds(const Recorder& recorder, const std::string& member) {
+/// Seconds of every phase that a group of histories has, and of its processor.
+Json seconds(const Recorder& recorder, const std::string& group) {
   Json phases = Json::object();
-  const std::string prefix = member + "/" + std::string(phase_prefix);
+  const std::string prefix = group + "/" + std::string(phase_prefix);
   for (const History& history : recorder.histories())
     if (history.name().starts_with(prefix)) phases[history.name().substr(prefix.size())] = history.last();
-  return {{"phases", phases}, {"cpu", last(recorder, member + "/cpu_seconds")}};
+  return {{"phases", phases}, {"cpu", last(recorder, group + "/cpu_seconds")}};
+}
+
+/// What the histories of a group ("fluid", "solid", "solid/hull") say of its solver.
+void add_effort(const Recorder& recorder, const std::string& group, Json& entry) {
+  const History* substeps = recorder.history(group + "/substeps");
+  entry["steps"] = substeps ? Json(static_cast<std::uint64_t>(substeps->sum())) : Json(recorder.windows());
+  if (recorder.history(group + "/lost")) entry["lost"] = last(recorder, group + "/lost");
+  if (const History* deflection = recorder.history(group + "/largest_deflection"))
+    entry["largest_deflection"] = deflection->max().value;
+  entry["seconds"] = seconds(recorder, group);
 }
 
 Json participants(const Recorder& recorder) {
+  const v1::Case& the_case = recorder.the_case();
   Json participants = Json::object();
   for (const Member& member : recorder.members()) {
     Json& entry = participants[member.name];
     entry["program"] = member.identity.program;
     entry["version"] = member.identity.version;
     entry["particles"] = member.setup.particles;
-    const History* substeps = recorder.history(member.name + "/substeps");
-    entry["steps"] = substeps ? Json(static_cast<std::uint64_t>(substeps->sum())) : Json(recorder.windows());
-    if (recorder.history(member.name + "/lost")) entry["lost"] = last(recorder, member.name + "/lost");
-    if (const History* deflection = recorder.history(member.name + "/largest_deflection"))
-      entry["largest_deflection"] = deflection->max().value;
-    entry["seconds"] = seconds(recorder, member.name);
+    add_effort(recorder, member.name, entry);
+    if (member.name == "solid" && has_several_solids(the_case))
+      for (const std::string& name : solid_names(the_case))
+        add_effort(recorder, "solid/" + name, entry["structures"][name]);
   }
   return participants;
 }

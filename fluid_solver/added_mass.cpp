@@ -70,7 +70,7 @@ template <int dim>
 std::vector<double> AddedMass<dim>::mode_pressure(const Step& step, std::size_t mode) {
   std::vector<double> p = last_pressure(step, mode);
   const bool due = windows_ == 0 || static_cast<int>(mode) % refresh_interval == windows_ % refresh_interval;
-  if (!due || step.attempt > 1) return p;
+  if (!due || step.attempt == Attempt::again) return p;
   solve(step, right_hand_side(step, modes_[mode].shape), mode_tolerance, p);
   const std::vector<std::int32_t>& unknowns = step.bodies.poisson.unknowns();
   std::vector<double>& last = last_[mode];
@@ -172,7 +172,7 @@ void AddedMass<dim>::couple(const Step& step, std::vector<double>& pressure) {
       0.0, -load.mobility.cwiseProduct((load.on_modes * load.per_acceleration).diagonal()).minCoeff());
 
   Eigen::VectorXd c = Eigen::VectorXd::Zero(load.mobility.size());
-  for (int k = 0; k < (step.attempt > 0 ? most_answers : 1); ++k) {
+  for (int k = 0; k < (step.attempt != Attempt::once ? most_answers : 1); ++k) {
     load.pressure = -load.per_acceleration * c;  // and the pressure that the motion with c has
     for (std::size_t i = 0; i < points.size(); ++i)
       load.pressure[static_cast<Eigen::Index>(i)] += pressure[points[i].unknown];
@@ -186,7 +186,7 @@ void AddedMass<dim>::couple(const Step& step, std::vector<double>& pressure) {
     answer(step, c, pressure);
   }
   velocity_change_ = step.dt * motion_of(step, c);
-  if (step.attempt <= 1) ++windows_;
+  if (step.attempt != Attempt::again) ++windows_;
 }
 
 template <int dim>

@@ -44,7 +44,7 @@ class AddedMass {
     const std::vector<double>& source_per_divergence;
     double least_per_change;
     double dt;
-    std::uint32_t attempt;   ///< attempt number of the window; 0: the window is not repeated
+    Attempt attempt;         ///< at the window
     double tolerance;        ///< relative residual of the pressure equation
     double lowest_pressure;  ///< lower limit of the pressure [Pa]
   };

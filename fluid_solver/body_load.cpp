@@ -19,15 +19,15 @@ BodyLoad<dim>::BodyLoad(const Interface& interface, int body, const Vec<dim>& ab
 }
 
 template <int dim>
-Load<dim> BodyLoad<dim>::read(const Surface& surface) const {
+Load<dim> BodyLoad<dim>::read(const InterfaceMotion& motion, const InterfaceLoad& load) const {
   Vec<dim> about = about_;
-  for (const auto& [k, share] : around_) about += share * surface.displacement.col(k);
-  Load<dim> load;
+  for (const auto& [k, share] : around_) about += share * motion.displacement.col(k);
+  Load<dim> sum;
   for (std::size_t m = 0; m < point_.size(); ++m) {
-    const Vec<dim> x = place_[m] + surface.displacement.col(point_[m]);
-    load.add(x - about, surface.force.col(point_[m]));
+    const Vec<dim> x = place_[m] + motion.displacement.col(point_[m]);
+    sum.add(x - about, load.force.col(point_[m]));
   }
-  return load;
+  return sum;
 }
 
 template class BodyLoad<2>;

@@ -15,7 +15,7 @@ class BodyLoad {
   /// material there [m]
   BodyLoad(const Interface& interface, int body, const Vec<dim>& about, double spacing);
 
-  Load<dim> read(const Surface& surface) const;
+  Load<dim> read(const InterfaceMotion& motion, const InterfaceLoad& load) const;
 
  private:
   Vec<dim> about_;

@@ -16,8 +16,8 @@ namespace cosurge::fluid {
 class FluidParticipant::Scene {
  public:
   virtual ~Scene() = default;
-  virtual Setup describe(Interface& interface, Surface& surface) = 0;
-  virtual Report advance(const Window& window, Surface& surface) = 0;
+  virtual Setup describe(Interface& interface, InterfaceLoad& load) = 0;
+  virtual Report advance(const Window& window, const InterfaceMotion& motion, InterfaceLoad& load) = 0;
   virtual std::string save() = 0;
   virtual void restore(const std::string& state) = 0;
   virtual Snapshot frame() = 0;
@@ -33,9 +33,9 @@ class FluidParticipant::SceneOf : public Scene {
         lost_water_(water_, mps_.particles()),
         probes_(probes_from_case<dim>(the_case), mps_, mps_.bodies().interface()) {}
 
-  Setup describe(Interface& interface, Surface& surface) override {
+  Setup describe(Interface& interface, InterfaceLoad& load) override {
     interface = mps_.bodies().interface();
-    surface = Surface::at_rest(dim, interface.points());
+    load = InterfaceLoad::zero(dim, interface.points());
     Setup setup{.columns = {{"ppe_iterations", "-"},
                             {"ppe_residual", "-"},
                             {"ppe_unknowns", "-"},
@@ -62,17 +62,18 @@ class FluidParticipant::SceneOf : public Scene {
     return setup;
   }
 
-  Report advance(const Window& window, Surface& surface) override {
-    if (window.attempt <= 1)
-      mps_.move_bodies(surface.displacement, surface.velocity);
+  Report advance(const Window& window, const InterfaceMotion& motion, InterfaceLoad& load) override {
+    const bool repeated = window.attempt == Attempt::again;
+    if (repeated)
+      mps_.set_body_velocity(motion.velocity);
     else
-      mps_.set_body_velocity(surface.velocity);
-    mps_.set_modes(surface.modes);
-    mps_.set_frequency(surface.frequency);
-    if (window.attempt <= 1) lost_water_.before_step(mps_.particles());
+      mps_.move_bodies(motion.displacement, motion.velocity);
+    mps_.set_modes(motion.modes);
+    mps_.set_frequency(motion.frequency);
+    if (!repeated) lost_water_.before_step(mps_.particles());
     const StepReport step = mps_.step(window.start, window.size, window.attempt);
-    if (window.attempt <= 1) lost_water_.after_step(mps_.particles(), window.start + window.size);
-    mps_.load(surface);
+    if (!repeated) lost_water_.after_step(mps_.particles(), window.start + window.size);
+    mps_.load(load);
     const WaterState water = survey_water(mps_, particle_mass(), water_.spacing, water_.gravity);
     Report report;
     report.values = {static_cast<double>(step.pressure.iterations),
@@ -89,7 +90,8 @@ class FluidParticipant::SceneOf : public Scene {
     for (const double seconds : mps_.clock().seconds()) report.values.push_back(seconds);
     report.values.push_back(cpu_seconds() - cpu_start_);
     for (const double value : lost_water_.values()) report.values.push_back(value);
-    for (const double value : probes_.read({.surface = surface, .end = window.start + window.size}))
+    for (const double value :
+         probes_.read({.motion = motion, .load = load, .end = window.start + window.size}))
       report.values.push_back(value);
     report.window = step.max_window;
     return report;
@@ -149,23 +151,20 @@ FluidParticipant::FluidParticipant() = default;
 FluidParticipant::~FluidParticipant() = default;
 
 Identity FluidParticipant::identity() const {
-  return {.role = Role::fluid,
-          .program = "fluid_solver",
-          .version = version,
-          .dimensions = {2, 3},
-          .capabilities = {"save", "frame"}};
+  return {
+      .program = "fluid_solver", .version = version, .dimensions = {2, 3}, .capabilities = {"save", "frame"}};
 }
 
-Setup FluidParticipant::initialize(const v1::Case& the_case, Interface& interface, Surface& surface) {
+Setup FluidParticipant::initialize(const v1::Case& the_case, Interface& interface, InterfaceLoad& load) {
   if (the_case.dimension() == 2)
     scene_ = std::make_unique<SceneOf<2>>(the_case);
   else
     scene_ = std::make_unique<SceneOf<3>>(the_case);
-  return scene_->describe(interface, surface);
+  return scene_->describe(interface, load);
 }
 
-Report FluidParticipant::advance(const Window& window, Surface& surface) {
-  return scene_->advance(window, surface);
+Report FluidParticipant::advance(const Window& window, const InterfaceMotion& motion, InterfaceLoad& load) {
+  return scene_->advance(window, motion, load);
 }
 std::string FluidParticipant::save() { return scene_->save(); }
 void FluidParticipant::restore(const std::string& state) { scene_->restore(state); }
@@ -173,6 +172,6 @@ Snapshot FluidParticipant::frame() { return scene_->frame(); }
 
 }  // namespace cosurge::fluid
 
-std::unique_ptr<cosurge::Participant> cosurge::make_fluid_solver() {
+std::unique_ptr<cosurge::Fluid> cosurge::make_fluid_solver() {
   return std::make_unique<fluid::FluidParticipant>();
 }

@@ -102,16 +102,17 @@ void Mps<dim>::add_water(const std::vector<WetBody<dim>>& bodies) {
 }
 
 template <int dim>
-StepReport Mps<dim>::step(double start, double dt, std::uint32_t attempt) {
-  if (attempt <= 1)
-    advance_to_pressure(start, dt);
-  else
+StepReport Mps<dim>::step(double start, double dt, Attempt attempt) {
+  const bool repeated = attempt == Attempt::again;
+  if (repeated)
     return_to_pressure();
-  if (attempt == 1) {
+  else
+    advance_to_pressure(start, dt);
+  if (attempt == Attempt::first) {
     predicted_x_ = particles_.x;
     predicted_u_ = particles_.u;
   }
-  if (attempt <= 1) assemble(dt);
+  if (!repeated) assemble(dt);
   set_source(dt);
   const SolveReport pressure = solve_pressure(start, dt, attempt);
   correct(dt);  // u = u* - dt / rho grad p, x = x* + dt (u - u*)
@@ -223,11 +224,11 @@ void Mps<dim>::assemble(double dt) {
 }
 
 template <int dim>
-SolveReport Mps<dim>::solve_pressure(double start, double dt, std::uint32_t attempt) {
+SolveReport Mps<dim>::solve_pressure(double start, double dt, Attempt attempt) {
   clock_.enter(solving);
   const auto& unknowns = poisson_.unknowns();
   const PressureSolution& choice = water_.method.pressure;
-  const double tolerance = (attempt > 0 ? precise : 1) * choice.tolerance;
+  const double tolerance = (attempt == Attempt::once ? 1 : precise) * choice.tolerance;
   SolveReport report;
   if (!unknowns.empty()) {
     report = conjugate_gradient(poisson_.matrix(), poisson_.right_hand_side(), *preconditioner_, tolerance,

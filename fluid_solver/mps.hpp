@@ -38,7 +38,7 @@ class Mps {
   /// surface and matrix, and with the velocity of the bodies as it is now.
   /// @throws NumericalError when the pressure does not converge, a particle leaves all physical bounds, or
   /// the water collapses; the message names time, particle, cause and remedy.
-  StepReport step(double start, double dt, std::uint32_t attempt = 0);
+  StepReport step(double start, double dt, Attempt attempt = Attempt::once);
 
   /// Puts the bodies' points to their displaced positions; both dimension x points [m], [m/s].
   void move_bodies(const Field& displacement, const Field& velocity);
@@ -56,7 +56,7 @@ class Mps {
 
   /// Load on the bodies' points by eq. (15), and the pressure on their faces. Fills force [N] and pressure
   /// [Pa].
-  void load(Surface& surface) const;
+  void load(InterfaceLoad& load) const;
 
   /// What the pressure changes by on the way from the centre of a wet particle to its face at rest [Pa/m]:
   /// rho g, but nothing with flags, where the surface lies half a spacing too low and makes up for it.
@@ -121,7 +121,7 @@ class Mps {
   void take_pressure();
   void set_face_load();
   void add_answer_of_modes();
-  SolveReport solve_pressure(double start, double dt, std::uint32_t attempt);
+  SolveReport solve_pressure(double start, double dt, Attempt attempt);
   Vec<dim> pressure_gradient(int i) const;
   void correct(double dt);
   void shift(double dt);

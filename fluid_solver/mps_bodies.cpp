@@ -38,17 +38,17 @@ void Mps<dim>::add_answer_of_modes() {
 }
 
 template <int dim>
-void Mps<dim>::load(Surface& surface) const {
+void Mps<dim>::load(InterfaceLoad& load) const {
   for (int k = 0; k < bodies_.points(); ++k) {
     if (particles_.kind[body_place_[k]] != Kind::body_surface) {
-      surface.pressure[k] = 0;
-      surface.force.col(k).setZero();
+      load.pressure[k] = 0;
+      load.force.col(k).setZero();
       continue;
     }
     const double p = particles_.p[body_place_[k]];
-    surface.force.col(k) = -p * faces_.area[k] + face_load_[k];
+    load.force.col(k) = -p * faces_.area[k] + face_load_[k];
     const double area = faces_.area[k].norm();
-    surface.pressure[k] = area > 0 ? p - face_load_[k].dot(faces_.normal[k]) / area : p;
+    load.pressure[k] = area > 0 ? p - face_load_[k].dot(faces_.normal[k]) / area : p;
   }
 }
 
@@ -112,8 +112,8 @@ template void Mps<2>::set_body_velocity(const Field&);
 template void Mps<3>::set_body_velocity(const Field&);
 template void Mps<2>::add_answer_of_modes();
 template void Mps<3>::add_answer_of_modes();
-template void Mps<2>::load(Surface&) const;
-template void Mps<3>::load(Surface&) const;
+template void Mps<2>::load(InterfaceLoad&) const;
+template void Mps<3>::load(InterfaceLoad&) const;
 template Vec<2> Mps<2>::slope_to_faces() const;
 template Vec<3> Mps<3>::slope_to_faces() const;
 template double Mps<2>::wetness(double) const;

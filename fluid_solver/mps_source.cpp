@@ -143,8 +143,7 @@ Rates Mps<dim>::rates(double dt) const {
   constexpr double answers_to_bodies = 20;  // in a radian of the structure's oscillation
   const double c = propagation_speed_ / water_.spacing;
   const double driven = driven_speed_ / water_.spacing;
-  const double k = std::min(
-      std::max(c, answers_to_walls * driven), 1 / dt);
+  const double k = std::min(std::max(c, answers_to_walls * driven), 1 / dt);
   return {.divergence = k,
           .density = std::min(k, std::max(c, driven)),
           .bodies = std::max(k, std::min(answers_to_bodies * frequency_, 1 / dt))};

@@ -49,7 +49,7 @@ void Probes<dim>::add_pressure(const Probe<dim>& probe, const Interface& interfa
   if (mount.on == ProbeMount::On::body) {
     add_value(probe.name, "Pa",
               [at = SurfacePressureProbe<dim>(probe.name, x, interface, mps_.spacing())](
-                  const ProbeInput& input) { return at.read(input.surface.pressure); });
+                  const ProbeInput& input) { return at.read(input.load.pressure); });
     return;
   }
   const Walls<dim>& walls = mps_.walls();
@@ -96,7 +96,7 @@ auto Probes<dim>::load_on(const Probe<dim>& probe, const Interface& interface) -
   const Vector& about = probe.position;
   if (mount.on == ProbeMount::On::body)
     return [load = BodyLoad<dim>(interface, mount.number, about, mps_.spacing())](const ProbeInput& input) {
-      return load.read(input.surface);
+      return load.read(input.motion, input.load);
     };
   has_wall_loads_ = true;
   return [this, load = WallLoad<dim>(mps_, mount, about)](const ProbeInput& input) {

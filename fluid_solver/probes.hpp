@@ -15,8 +15,9 @@ namespace cosurge::fluid {
 
 /// Data of the last window for the probes.
 struct ProbeInput {
-  const Surface& surface;  ///< load on the bodies, and where they are
-  double end;              ///< time [s]
+  const InterfaceMotion& motion;  ///< of the bodies
+  const InterfaceLoad& load;      ///< on them
+  double end;                     ///< time [s]
 };
 
 template <int dim>

@@ -32,23 +32,23 @@ double window_of(const Surroundings<dim>& surroundings, double frequency, bool l
 }  // namespace
 
 Identity SolidParticipant::identity() const {
-  return {.role = Role::solid,
-          .program = "solid_solver",
-          .version = version,
-          .dimensions = {2, 3},
-          .capabilities = {"save", "frame"}};
+  return {
+      .program = "solid_solver", .version = version, .dimensions = {2, 3}, .capabilities = {"save", "frame"}};
 }
 
-Setup SolidParticipant::initialize(const v1::Case& the_case, Interface& interface, Surface& surface) {
+Setup SolidParticipant::initialize(const v1::Case& the_case, const Interface& interface,
+                                   const InterfaceLoad& load, InterfaceMotion& motion) {
   cpu_seconds_at_start_ = cpu_seconds();
   dimension_ = the_case.dimension();
-  if (interface.points() == 0) interface.position = Field::Zero(dimension_, 0);
-  return dimension_ == 2 ? start(scene_from_case<2>(the_case), interface, surface)
-                         : start(scene_from_case<3>(the_case), interface, surface);
+  Interface points = interface;
+  if (points.points() == 0) points.position = Field::Zero(dimension_, 0);
+  return dimension_ == 2 ? start(scene_from_case<2>(the_case), points, load, motion)
+                         : start(scene_from_case<3>(the_case), points, load, motion);
 }
 
 template <int dim>
-Setup SolidParticipant::start(const Scene<dim>& scene, const Interface& interface, Surface& surface) {
+Setup SolidParticipant::start(const Scene<dim>& scene, const Interface& interface, const InterfaceLoad& load,
+                              InterfaceMotion& motion) {
   const Structure<dim>& structure = scene.structure;
   model_ =
       contact::with_contact(with_carriers(make_model(structure), structure), structure, scene.surroundings);
@@ -57,21 +57,18 @@ Setup SolidParticipant::start(const Scene<dim>& scene, const Interface& interfac
   place_probes(scene.probes);
   if (exchange_.modes > 0) modes_.emplace(structure, interface, *model_, exchange_.modes);
 
-  const Surface loaded = surface;
-  surface = Surface::at_rest(dim, interface.points());
-  if (loaded.force.cols() == interface.points() && interface.points() > 0) {
-    surface.force = loaded.force;
-    surface.pressure = loaded.pressure;
-  }
+  const Eigen::Index points = interface.points();
+  motion = InterfaceMotion::at_rest(dim, points);
   displacement_ = model_->displacement();
-  load_ = surface.force * H_;
-  surface.displacement = displacement_ * H_.transpose();
-  if (interface.points() > 0 || scene.limits_windows) frequency_ = slowest_oscillation(structure, *model_);
+  load_ =
+      load.force.cols() == points && points > 0 ? Field(load.force * H_) : Field::Zero(dim, model_->nodes());
+  motion.displacement = displacement_ * H_.transpose();
+  if (points > 0 || scene.limits_windows) frequency_ = slowest_oscillation(structure, *model_);
   if (scene.limits_windows) {
     dry_window_ = window_of(scene.surroundings, frequency_, false);
     wet_window_ = window_of(scene.surroundings, frequency_, true);
   }
-  surface.frequency = frequency_;
+  motion.frequency = frequency_;
   return {.columns = columns(),
           .particles = model_->particles(),
           .window = dry_window_,
@@ -90,35 +87,36 @@ void SolidParticipant::place_probes(const std::vector<DisplacementProbe<dim>>& p
   probes_.H = model_->interpolation(positions, bodies);
 }
 
-/// What the modes answer to the load of the window that the model has just gone through, motion in `surface`.
-std::vector<Mode> SolidParticipant::modes(const Window& window, const Surface& surface) const {
-  if (!modes_ || window.attempt != 1) return {};
+/// Answers of the modes to the load of the window that the model has just gone through with `motion`.
+std::vector<Mode> SolidParticipant::modes(const Window& window, const InterfaceLoad& load,
+                                          const InterfaceMotion& motion) const {
+  if (!modes_ || window.attempt != Attempt::first) return {};
   const std::size_t order = 1 + (exchange_.end_velocity ? 0 : 1) + (exchange_.ramped ? 1 : 0);
-  return modes_->answers(*model_, window, H_, surface.displacement, surface.force, order);
+  return modes_->answers(*model_, window, H_, motion.displacement, load.force, order);
 }
 
-Report SolidParticipant::advance(const Window& window, Surface& surface) {
-  assert(surface.force.cols() == H_.rows());
-  if (window.attempt == 1) remembered_ = save();
-  if (window.attempt > 1) restore(remembered_);
+Report SolidParticipant::advance(const Window& window, const InterfaceLoad& load, InterfaceMotion& motion) {
+  assert(load.force.cols() == H_.rows());
+  if (window.attempt == Attempt::first) remembered_ = save();
+  if (window.attempt == Attempt::again) restore(remembered_);
   clock_.enter(mapping);
-  const Field new_load = surface.force * H_;
-  const NodalLoad load{.first = exchange_.ramped ? load_ : new_load, .last = new_load};
+  const Field new_load = load.force * H_;
+  const NodalLoad nodal_load{.first = exchange_.ramped ? load_ : new_load, .last = new_load};
   clock_.enter(substeps);
-  const int taken = model_->advance(window, load);
+  const int taken = model_->advance(window, nodal_load);
   clock_.enter(mapping);
   const Field moved = model_->displacement();
   const Field increment = moved - displacement_;
   // With s the ramp of S15, sum (first + s (last - first)) . dq.
   const Field late = exchange_.ramped ? model_->ramp_increment() : Field::Zero(dimension_, model_->nodes());
-  interface_work_ +=
-      load.first.cwiseProduct(increment).sum() + (load.last - load.first).cwiseProduct(late).sum();
-  surface.displacement = moved * H_.transpose();
-  surface.velocity = exchange_.end_velocity ? model_->velocity() * H_.transpose()
-                                            : Field(increment * H_.transpose() / window.size);
-  surface.ramp_increment = late * H_.transpose();
-  surface.modes = modes(window, surface);
-  surface.frequency = frequency_;
+  interface_work_ += nodal_load.first.cwiseProduct(increment).sum() +
+                     (nodal_load.last - nodal_load.first).cwiseProduct(late).sum();
+  motion.displacement = moved * H_.transpose();
+  motion.velocity = exchange_.end_velocity ? model_->velocity() * H_.transpose()
+                                           : Field(increment * H_.transpose() / window.size);
+  motion.ramp_increment = late * H_.transpose();
+  motion.modes = modes(window, load, motion);
+  motion.frequency = frequency_;
   displacement_ = moved;
   load_ = new_load;
   clock_.leave();
@@ -176,6 +174,6 @@ void SolidParticipant::restore(const std::string& state) {
 
 Snapshot SolidParticipant::frame() { return model_->frame(); }
 
-std::unique_ptr<Participant> make_solid_solver() { return std::make_unique<SolidParticipant>(); }
+std::unique_ptr<Solid> make_solid_solver() { return std::make_unique<SolidParticipant>(); }
 
 }  // namespace cosurge

@@ -16,13 +16,13 @@ namespace cosurge {
 /// Takes loads to the unknowns of a model by H^T, sub-cycles, and gives the motion back by H. The load of a
 /// window is held, or ramped from the last window's (docs/method_solid.md, S14 to S16). Sets no largest
 /// window: a model sub-cycles through any.
-class SolidParticipant : public Participant {
+class SolidParticipant : public Solid {
  public:
   Identity identity() const override;
 
-  /// `surface.force` is taken as the load before the first window.
-  Setup initialize(const v1::Case& the_case, Interface& interface, Surface& surface) override;
-  Report advance(const Window& window, Surface& surface) override;
+  Setup initialize(const v1::Case& the_case, const Interface& interface, const InterfaceLoad& load,
+                   InterfaceMotion& motion) override;
+  Report advance(const Window& window, const InterfaceLoad& load, InterfaceMotion& motion) override;
   std::string save() override;
   void restore(const std::string& state) override;
   Snapshot frame() override;
@@ -36,10 +36,12 @@ class SolidParticipant : public Participant {
   enum Phase : std::size_t { mapping, substeps, phases };
 
   template <int dim>
-  Setup start(const Scene<dim>& scene, const Interface& interface, Surface& surface);
+  Setup start(const Scene<dim>& scene, const Interface& interface, const InterfaceLoad& load,
+              InterfaceMotion& motion);
   template <int dim>
   void place_probes(const std::vector<DisplacementProbe<dim>>& probes);
-  std::vector<Mode> modes(const Window& window, const Surface& surface) const;
+  std::vector<Mode> modes(const Window& window, const InterfaceLoad& load,
+                          const InterfaceMotion& motion) const;
   std::vector<Column> columns() const;
   std::vector<double> values(int substeps_taken) const;
 

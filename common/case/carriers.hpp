@@ -17,9 +17,12 @@ bool is_held(const v1::Solid& solid, const v1::Body& body);
 /// Whether the body is held, and by something that does not move in the tank. A body on springs is free.
 bool is_held_at_rest(const v1::Case& the_case, const v1::Body& body);
 
-/// The motion of a body's holder: its own, else that of the obstacle in which its clamps lie, else the
-/// tank's. Empty if nothing holds the body.
-/// @throws Error where its clamps lie in things that move differently.
+/// Whether a clamp of the body lies in a body of another structure, and the body has no motion of its own.
+bool is_held_by_another(const v1::Case& the_case, const v1::Body& body);
+
+/// The motion of a body's holder: its own, else that of the obstacle, or of the rigid body of another
+/// structure, in which its clamps lie, else the tank's. Empty if nothing holds the body.
+/// @throws Error where its clamps lie in things that move differently, or in a body whose motion is computed.
 v1::WallMotion motion_of(const v1::Case& the_case, const v1::Body& body);
 
 }  // namespace cosurge

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/case/motion_doubts.hpp"
+#include "common/case/several_solids.hpp"
 #include "common/error.hpp"
 
 namespace cosurge {
@@ -25,6 +26,11 @@ class Doubts {
     if (value >= usual.least && value <= usual.most) return;
     all.push_back(fmt::format("{}: {:.4g} {} is outside the usual range {:g} to {:g} {}; check the units",
                               key, value, unit, usual.least, usual.most, unit));
+  }
+  void solid(const std::string& key, const v1::Solid& solid) {
+    number(key + ".density", solid.density(), density_of_solids, "kg/m3");
+    if (solid.has_young_modulus())
+      number(key + ".young_modulus", solid.young_modulus(), modulus_of_solids, "Pa");
   }
   std::vector<std::string> all;
 };
@@ -52,12 +58,9 @@ std::vector<std::string> doubts(const v1::Case& c) {
     doubts.number("fluid.tank", longest, length_of_a_tank, "m");
     doubts.number("fluid.density", c.fluid().density(), density_of_liquids, "kg/m3");
   }
-  if (c.has_solid()) {
-    doubts.number("solid.density", c.solid().density(), density_of_solids, "kg/m3");
-    if (c.solid().has_young_modulus())
-      doubts.number("solid.young_modulus", c.solid().young_modulus(), modulus_of_solids, "Pa");
-  }
-  for (std::string& doubt : motion_doubts(c)) doubts.all.push_back(std::move(doubt));
+  if (c.has_solid() && !has_several_solids(c)) doubts.solid("solid", c.solid());
+  for (int k = 0; k < c.solids_size(); ++k) doubts.solid(fmt::format("solid.{}", k), c.solids(k));
+  for (const std::string& doubt : motion_doubts(c)) doubts.all.push_back(with_written_keys(c, doubt));
   return doubts.all;
 }
 

@@ -1,11 +1,14 @@
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "common/case/case_rules.hpp"
 #include "common/error.hpp"
 
 namespace cosurge {
 
-void CaseErrors::add(const std::string& key, const std::string& what) {
+void CaseErrors::add(const std::string& given_key, const std::string& what) {
+  const std::string key = written ? written(given_key) : given_key;
   if (lines.size() >= most) {
     ++more;
     return;
@@ -15,7 +18,8 @@ void CaseErrors::add(const std::string& key, const std::string& what) {
     const auto dot = around.rfind('.');
     around = dot == std::string::npos ? "" : around.substr(0, dot);
   }
-  lines.push_back(fmt::format("{}: {}: {}", places[around], key, what));
+  const std::string line = fmt::format("{}: {}: {}", places[around], key, written ? written(what) : what);
+  if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(line);
 }
 
 void CaseErrors::raise() const {

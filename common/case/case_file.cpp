@@ -8,6 +8,7 @@
 #include "common/case/case_rules.hpp"
 #include "common/case/case_tables.hpp"
 #include "common/case/case_text.hpp"
+#include "common/case/several_solids.hpp"
 #include "common/case/snap_probes.hpp"
 #include "common/case/toml.hpp"
 #include "common/error.hpp"
@@ -32,10 +33,25 @@ std::string child(const std::string& path, std::string_view key) {
   return path.empty() ? std::string(key) : fmt::format("{}.{}", path, key);
 }
 
+const v1::Rule& rule_of(const FieldDescriptor& field) { return field.options().GetExtension(v1::rule); }
+
+/// Whether a field is a key of the case file by its own name.
+bool is_key(const FieldDescriptor& field) { return !rule_of(field).has_key() && !rule_of(field).created(); }
+
+/// The field of a key; null if there is none. A list of tables may have another field than one table.
+const FieldDescriptor* field_of(const Descriptor& type, const std::string& key, const toml::node& node) {
+  const FieldDescriptor* field = type.FindFieldByName(key);
+  if (field == nullptr || !is_key(*field)) return nullptr;
+  for (int i = 0; node.is_array() && !field->is_repeated() && i < type.field_count(); ++i)
+    if (rule_of(*type.field(i)).key() == key) return type.field(i);
+  return field;
+}
+
 std::string field_names(const Descriptor& type) {
   std::vector<std::string> names;
   names.reserve(static_cast<std::size_t>(type.field_count()));
-  for (int i = 0; i < type.field_count(); ++i) names.push_back(type.field(i)->name());
+  for (int i = 0; i < type.field_count(); ++i)
+    if (is_key(*type.field(i))) names.push_back(type.field(i)->name());
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
@@ -45,8 +61,6 @@ std::string words(const EnumDescriptor& type) {
   for (int i = 0; i < type.value_count(); ++i) names.push_back(type.value(i)->name());
   return fmt::format("{}", fmt::join(names, ", "));
 }
-
-const v1::Rule& rule_of(const FieldDescriptor& field) { return field.options().GetExtension(v1::rule); }
 
 /// Whether a number is the same as a double. (toml++ makes garbage of a whole number where it is not.)
 bool is_exact(const toml::node& node) {
@@ -66,7 +80,7 @@ class Walk {
     const std::string here = errors_.places[path] = place(from, errors_.places[path]);
     const Descriptor& type = *into.GetDescriptor();
     for (const auto& [key, node] : from) {
-      const FieldDescriptor* field = type.FindFieldByName(std::string(key.str()));
+      const FieldDescriptor* field = field_of(type, std::string(key.str()), node);
       const std::string key_path = child(path, key.str());
       if (field != nullptr || errors_.lines.size() < CaseErrors::most)
         errors_.places[key_path] = place(node, here);
@@ -136,6 +150,7 @@ class Walk {
     if (array == nullptr) return errors_.add(path, tables ? "must be a list of tables" : "must be a list");
     if (rule.vector() && static_cast<int>(array->size()) != errors_.dimension)
       errors_.add(path, fmt::format("has {} components, must have {}", array->size(), errors_.dimension));
+    if (rule.has_key() && array->empty()) errors_.add(path, "has no entries");
     if (array->size() < rule.at_least())
       errors_.add(path, fmt::format("has {} entries, needs at least {}", array->size(), rule.at_least()));
     int entry = 0;
@@ -233,11 +248,13 @@ v1::Case checked_case(toml::table root, const std::vector<std::string>& override
   Walk(errors).table(root, "", result);
   errors.places[""] = name;
   errors.raise();
-  if (result.has_fluid() && result.has_solid()) result.mutable_coupling();
+  const bool has_solid = result.has_solid() || result.solids_size() > 0;
+  if (result.has_fluid() && has_solid) result.mutable_coupling();
   result.mutable_output();
   read_tables(result, folder, errors);
   errors.raise();
   resolve(result);
+  join_solids(result);
   snap_probes(result);
   check_rules(result, errors);
   errors.raise();
@@ -272,6 +289,7 @@ v1::Case change_case(const v1::Case& the_case, const std::vector<std::string>& o
   Walk(errors).table(root, "", result);
   errors.raise();
   resolve(result);
+  join_solids(result);
   check_rules(result, errors);
   errors.raise();
   return result;

@@ -6,6 +6,7 @@
 
 #include "common/case/toml_bounds.hpp"
 #include "common/error.hpp"
+#include "proto/case.pb.h"
 
 namespace cosurge {
 namespace {
@@ -110,6 +111,8 @@ toml::table tree_of(const Message& message) {
   std::vector<const FieldDescriptor*> fields;
   reflection.ListFields(message, &fields);
   for (const FieldDescriptor* field : fields) {
+    const v1::Rule& rule = field->options().GetExtension(v1::rule);
+    if (rule.created()) continue;
     const bool tables = field->cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE;
     if (!field->is_repeated()) {
       if (tables)
@@ -125,7 +128,7 @@ toml::table tree_of(const Message& message) {
       else
         insert_value(message, *field, k, [&](auto value) { items.push_back(value); });
     }
-    table.insert(field->name(), std::move(items));
+    table.insert_or_assign(rule.has_key() ? rule.key() : field->name(), std::move(items));
   }
   return table;
 }

@@ -1,7 +1,9 @@
 #include "common/case/case_rules.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <set>
 
 #include "common/case/bodies.hpp"
 #include "common/case/lattice_rules.hpp"
@@ -9,6 +11,7 @@
 #include "common/case/outline_rules.hpp"
 #include "common/case/probe_rules.hpp"
 #include "common/case/region_rules.hpp"
+#include "common/case/several_solids.hpp"
 #include "common/case/spring_rules.hpp"
 #include "common/error.hpp"
 #include "common/geometry/shape.hpp"
@@ -65,8 +68,9 @@ std::string outside_the_tank(const NamedBox& named, const v1::Box& tank) {
                      larger && named.unscaled_outline ? "; if its file is in mm, set scale = 0.001" : "");
 }
 
-/// Boxes on the lattice; water and bodies in the tank and apart from each other.
-void check_scene(const v1::Case& c, CaseErrors& errors) {
+/// Boxes on the lattice; water and bodies in the tank and apart from each other. `all`: of a case with all
+/// its bodies, not of one of several structures, whose clamps may lie in another.
+void check_scene(const v1::Case& c, bool all, CaseErrors& errors) {
   std::vector<NamedBox> filled = body_boxes(c.solid()), boxes = filled, inner;
   if (c.has_fluid()) {
     for (const NamedBox& water : water_boxes(c.fluid())) filled.push_back(water);
@@ -93,6 +97,7 @@ void check_scene(const v1::Case& c, CaseErrors& errors) {
     check_spacing("solid.spacing", c.solid().spacing(), body_boxes(c.solid()), errors);
   if (errors.lines.size() != before || !check_sizes(c, errors)) return;
   check_outlined_bodies(c, errors);
+  if (!all) return;
   check_filled(c, errors);
   if (c.has_fluid()) check_obstacles(c, errors);
 }
@@ -185,9 +190,49 @@ void check_times(const v1::Case& c, CaseErrors& errors) {
       errors.add(key, fmt::format("{} must be a whole number of windows of {}", value, window));
 }
 
+/// Names of several structures.
+void check_names(const v1::Case& c, CaseErrors& errors) {
+  if (!c.has_fluid())
+    errors.add("solid", "several [[solid]] need a [fluid]: without water, run a case for each");
+  std::set<std::string> taken = {"fluid", "solid", "coupling"};
+  for (int k = 0; k < c.solids_size(); ++k) {
+    const std::string key = fmt::format("solid.{}.name", k), &name = c.solids(k).name();
+    const bool plain = std::all_of(name.begin(), name.end(), [](char a) {
+      return std::isalnum(static_cast<unsigned char>(a)) != 0 || a == '_';
+    });
+    if (name.empty())
+      errors.add(key, "missing, several [[solid]] need names");
+    else if (!plain)
+      errors.add(key, "must consist of letters, digits and _");
+    else if (!taken.insert(name).second)
+      errors.add(key, fmt::format("\"{}\" is taken", name));
+  }
+}
+
+/// Materials, models and lattices, of each structure by itself.
+void check_solids(const v1::Case& c, CaseErrors& errors) {
+  if (!has_several_solids(c)) {
+    check_solid(c, errors);
+    return check_springs(c, errors);
+  }
+  const auto of_all = errors.written;
+  for (int k = 0; k < c.solids_size(); ++k) {
+    errors.written = [k](const std::string& text) { return with_written_keys(k, text); };
+    const v1::Case one = case_of_solid(c, k);
+    check_scene(one, false, errors);
+    check_solid(one, errors);
+    check_springs(one, errors);
+  }
+  errors.written = of_all;
+}
+
 }  // namespace
 
 void check_rules(const v1::Case& c, CaseErrors& errors) {
+  if (has_several_solids(c)) {
+    errors.written = [&c](const std::string& text) { return with_written_keys(c, text); };
+    check_names(c, errors);
+  }
   if (!c.has_fluid() && !c.has_solid()) errors.add("", "a case needs a [fluid], a [solid], or both");
   if (c.has_coupling() && !(c.has_fluid() && c.has_solid()))
     errors.add("coupling", "allowed only if the case has a [fluid] and a [solid]");
@@ -199,12 +244,13 @@ void check_rules(const v1::Case& c, CaseErrors& errors) {
                fmt::format(
                    "{} needs a source with the velocity divergence: fluid.source must be mixed or time_scale",
                    v1::Coupling::Scheme_Name(scheme)));
-  check_scene(c, errors);
+  check_scene(c, true, errors);
   if (c.has_fluid()) check_fluid(c, errors);
   if (c.has_fluid()) check_thickness(c.fluid(), errors);
+  const std::size_t before = errors.lines.size();
   check_motions(c, errors);
-  if (c.has_solid()) check_solid(c, errors);
-  if (c.has_solid()) check_springs(c, errors);
+  const bool motions = errors.lines.size() == before;
+  if (c.has_solid() && (motions || !has_several_solids(c))) check_solids(c, errors);
   check_probes(c, errors);
   check_times(c, errors);
 }

@@ -1,6 +1,7 @@
 // Rules between the keys of a case, checked after each key by itself.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -15,11 +16,13 @@ struct CaseErrors {
   std::map<std::string, std::string> places;  ///< key path -> "file:line"
   std::vector<std::string> lines;
   std::size_t more = 0;  ///< errors beyond the lines
+  /// Puts keys into a text as the case file has them; empty where they are so already.
+  std::function<std::string(const std::string&)> written;
 
   static constexpr std::size_t most = 100;  ///< largest number of reported errors
 
   /// Adds "file:line: key: what", with the place of the key or of the nearest table around it; only counts
-  /// where there are `most` already.
+  /// where there are `most` already. The same line is added once.
   void add(const std::string& key, const std::string& what);
 
   /// @throws Error with all lines, if there are any.

@@ -140,17 +140,21 @@ void read_tables(v1::Case& c, const std::filesystem::path& folder, CaseErrors& e
       errors.add(key, error.what());
     }
   };
-  for (int i = 0; i < c.solid().body_size(); ++i) {
-    v1::Body& body = *c.mutable_solid()->mutable_body(i);
-    const std::string key = fmt::format("solid.body.{}", i);
-    if (body.has_shape())
-      attempt(key + ".shape.outline", [&] { read_outline(*body.mutable_shape(), folder, c.dimension()); });
-    if (body.has_motion())
-      attempt(key + ".motion.table", [&] { read_motion(*body.mutable_motion(), folder, c.dimension()); });
-    for (int j = 0; j < body.clamp_size(); ++j)
-      attempt(fmt::format("{}.clamp.{}.outline", key, j),
-              [&] { read_outline(*body.mutable_clamp(j), folder, c.dimension()); });
-  }
+  const auto read_bodies = [&](const std::string& solid_key, v1::Solid& solid) {
+    for (int i = 0; i < solid.body_size(); ++i) {
+      v1::Body& body = *solid.mutable_body(i);
+      const std::string key = fmt::format("{}.body.{}", solid_key, i);
+      if (body.has_shape())
+        attempt(key + ".shape.outline", [&] { read_outline(*body.mutable_shape(), folder, c.dimension()); });
+      if (body.has_motion())
+        attempt(key + ".motion.table", [&] { read_motion(*body.mutable_motion(), folder, c.dimension()); });
+      for (int j = 0; j < body.clamp_size(); ++j)
+        attempt(fmt::format("{}.clamp.{}.outline", key, j),
+                [&] { read_outline(*body.mutable_clamp(j), folder, c.dimension()); });
+    }
+  };
+  if (c.has_solid()) read_bodies("solid", *c.mutable_solid());
+  for (int k = 0; k < c.solids_size(); ++k) read_bodies(fmt::format("solid.{}", k), *c.mutable_solids(k));
   if (!c.has_fluid()) return;
   v1::Fluid& fluid = *c.mutable_fluid();
   for (int i = 0; i < fluid.water_size(); ++i)

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "common/case/carriers.hpp"
+#include "common/case/several_solids.hpp"
 #include "common/error.hpp"
 
 namespace cosurge {
@@ -42,11 +43,11 @@ void check_body(const v1::Case& c, int i, CaseErrors& errors) {
   const std::string key = fmt::format("solid.body.{}", i);
   if (body.has_motion()) {
     check_motion(key + ".motion", body.motion(), errors);
-    if (!is_held(c.solid(), body))
+    if (!is_held(solid_of(c, body), body))
       errors.add(key + ".motion",
                  "is the motion of what holds the body, but nothing holds it: add a clamp or a support");
   }
-  check_velocity(c.solid(), body, key, errors);
+  check_velocity(solid_of(c, body), body, key, errors);
   try {
     static_cast<void>(motion_of(c, body));
   } catch (const Error& error) {

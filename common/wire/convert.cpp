@@ -52,8 +52,8 @@ double checked_window(double window) {
 
 }  // namespace
 
-void encode(const Identity& identity, v1::Hello& message) {
-  message.set_role(identity.role == Role::fluid ? v1::FLUID : v1::SOLID);
+void encode(Role role, const Identity& identity, v1::Hello& message) {
+  message.set_role(role == Role::fluid ? v1::FLUID : v1::SOLID);
   message.set_program(identity.program);
   message.set_version(identity.version);
   for (const int dimension : identity.dimensions)
@@ -61,11 +61,14 @@ void encode(const Identity& identity, v1::Hello& message) {
   for (const std::string& capability : identity.capabilities) message.add_capabilities(capability);
 }
 
-Identity decode(const v1::Hello& message) {
+Role role_of(const v1::Hello& message) {
   require(message.role() == v1::FLUID || message.role() == v1::SOLID, "role {} is neither fluid nor solid",
           static_cast<int>(message.role()));
-  return {.role = message.role() == v1::FLUID ? Role::fluid : Role::solid,
-          .program = printable(message.program(), most_of_a_program),
+  return message.role() == v1::FLUID ? Role::fluid : Role::solid;
+}
+
+Identity decode(const v1::Hello& message) {
+  return {.program = printable(message.program(), most_of_a_program),
           .version = printable(message.version(), most_of_a_program),
           .dimensions = {message.dimensions().begin(), message.dimensions().end()},
           .capabilities = {message.capabilities().begin(), message.capabilities().end()}};
@@ -96,15 +99,14 @@ Interface decode(const v1::Interface& message, int dimension, int bodies) {
   return interface;
 }
 
-void encode_motion(const Surface& surface, v1::Motion& message) {
-  encode(surface.displacement, *message.mutable_displacement());
-  encode(surface.velocity, *message.mutable_velocity());
+void encode(const InterfaceMotion& motion, v1::Motion& message) {
+  encode(motion.displacement, *message.mutable_displacement());
+  encode(motion.velocity, *message.mutable_velocity());
   message.clear_ramp_increment();
-  if (!all_bits_zero(surface.ramp_increment))
-    encode(surface.ramp_increment, *message.mutable_ramp_increment());
-  message.set_frequency(surface.frequency);
+  if (!all_bits_zero(motion.ramp_increment)) encode(motion.ramp_increment, *message.mutable_ramp_increment());
+  message.set_frequency(motion.frequency);
   message.clear_modes();
-  for (const Mode& mode : surface.modes) {
+  for (const Mode& mode : motion.modes) {
     v1::Mode& sent = *message.add_modes();
     encode(mode.shape, *sent.mutable_shape());
     sent.set_mobility(mode.mobility);
@@ -112,45 +114,45 @@ void encode_motion(const Surface& surface, v1::Motion& message) {
   }
 }
 
-void decode_motion(const v1::Motion& message, Surface& surface) {
-  decode(message.displacement(), "displacement", surface.displacement);
-  decode(message.velocity(), "velocity", surface.velocity);
+void decode(const v1::Motion& message, InterfaceMotion& motion) {
+  decode(message.displacement(), "displacement", motion.displacement);
+  decode(message.velocity(), "velocity", motion.velocity);
   if (message.ramp_increment().empty()) {
-    surface.ramp_increment.setZero();
+    motion.ramp_increment.setZero();
   } else {
-    decode(message.ramp_increment(), "ramp_increment", surface.ramp_increment);
+    decode(message.ramp_increment(), "ramp_increment", motion.ramp_increment);
   }
   require(std::isfinite(message.frequency()) && message.frequency() >= 0,
           "frequency is {} rad/s, must be finite and >= 0", message.frequency());
-  surface.frequency = message.frequency();
-  surface.modes.clear();
+  motion.frequency = message.frequency();
+  motion.modes.clear();
   require(message.modes_size() <= most_modes, "{} modes, must be <= {}", message.modes_size(), most_modes);
   for (const v1::Mode& sent : message.modes()) {
-    Mode mode{.shape = Field(surface.velocity.rows(), surface.velocity.cols()),
+    Mode mode{.shape = Field(motion.velocity.rows(), motion.velocity.cols()),
               .mobility = sent.mobility(),
               .load = sent.load()};
     decode(sent.shape(), "shape of a mode", mode.shape);
     require(std::isfinite(mode.load) && std::isfinite(mode.mobility) && mode.mobility >= 0,
             "a mode has a mobility of {} and a load of {}", mode.mobility, mode.load);
-    surface.modes.push_back(std::move(mode));
+    motion.modes.push_back(std::move(mode));
   }
 }
 
-void encode_load(const Surface& surface, v1::Load& message) {
-  encode(surface.force, *message.mutable_force());
-  encode(surface.pressure, *message.mutable_pressure());
+void encode(const InterfaceLoad& load, v1::Load& message) {
+  encode(load.force, *message.mutable_force());
+  encode(load.pressure, *message.mutable_pressure());
 }
 
-void decode_load(const v1::Load& message, Surface& surface) {
-  decode(message.force(), "force", surface.force);
-  decode(message.pressure(), "pressure", surface.pressure);
+void decode(const v1::Load& message, InterfaceLoad& load) {
+  decode(message.force(), "force", load.force);
+  decode(message.pressure(), "pressure", load.pressure);
 }
 
 void encode(const Window& window, v1::Window& message) {
   message.set_index(window.index);
   message.set_start(window.start);
   message.set_size(window.size);
-  message.set_attempt(window.attempt);
+  message.set_attempt(static_cast<std::uint32_t>(window.attempt));
 }
 
 Window decode(const v1::Window& message) {
@@ -160,7 +162,7 @@ Window decode(const v1::Window& message) {
   return {.index = message.index(),
           .start = message.start(),
           .size = message.size(),
-          .attempt = message.attempt()};
+          .attempt = message.attempt() < 2 ? static_cast<Attempt>(message.attempt()) : Attempt::again};
 }
 
 void encode(const Setup& setup, v1::Initialized& message) {

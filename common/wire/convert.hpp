@@ -8,7 +8,8 @@
 
 namespace cosurge {
 
-void encode(const Identity& identity, v1::Hello& message);
+void encode(Role role, const Identity& identity, v1::Hello& message);
+Role role_of(const v1::Hello& message);
 Identity decode(const v1::Hello& message);
 
 void encode(const Interface& interface, v1::Interface& message);
@@ -16,15 +17,16 @@ void encode(const Interface& interface, v1::Interface& message);
 Interface decode(const v1::Interface& message, int dimension, int bodies);
 
 /// Displacement, velocity, modes and, unless it is zero everywhere, the ramp increment.
-void encode_motion(const Surface& surface, v1::Motion& message);
-/// Fills the motion of a surface that has its size already.
-void decode_motion(const v1::Motion& message, Surface& surface);
+void encode(const InterfaceMotion& motion, v1::Motion& message);
+/// Fills a motion that has its size already.
+void decode(const v1::Motion& message, InterfaceMotion& motion);
 
 /// Force and pressure.
-void encode_load(const Surface& surface, v1::Load& message);
-/// Fills the load of a surface that has its size already.
-void decode_load(const v1::Load& message, Surface& surface);
+void encode(const InterfaceLoad& load, v1::Load& message);
+/// Fills a load that has its size already.
+void decode(const v1::Load& message, InterfaceLoad& load);
 
+/// A window that is gone through again gets attempt 2: whoever counts further attempts sets their number.
 void encode(const Window& window, v1::Window& message);
 Window decode(const v1::Window& message);
 

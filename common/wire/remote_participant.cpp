@@ -32,8 +32,8 @@ std::string result_name(Reply::ResultCase result) {
 /// Why the solver that says this hello cannot take part; empty where it can.
 std::string mismatch(const v1::Hello& hello, const Identity& identity,
                      const RemoteParticipant::Expectation& expected) {
-  if (identity.role != expected.role) {
-    return fmt::format("it is a {} solver, a {} solver is expected", role_name(identity.role),
+  if (const Role role = role_of(hello); role != expected.role) {
+    return fmt::format("it is a {} solver, a {} solver is expected", role_name(role),
                        role_name(expected.role));
   }
   if (hello.token() != expected.token) return "it has the token of another run";
@@ -151,47 +151,68 @@ const Reply& RemoteParticipant::exchange(Reply::ResultCase expected) {
   return reply_;
 }
 
-Setup RemoteParticipant::initialize(const v1::Case& the_case, Interface& interface, Surface& surface) {
+template <typename Give, typename Take>
+Setup RemoteParticipant::initialize_by(const v1::Case& the_case, const Give& give, const Take& take) {
   return call("initialize", [&] {
-    const int dimension = the_case.dimension();
     v1::Initialize& initialize = *request_.mutable_initialize();
     *initialize.mutable_the_case() = the_case;
-    if (identity_.role == Role::solid && interface.points() > 0) {
-      encode(interface, *initialize.mutable_interface());
-      encode_load(surface, *initialize.mutable_load());
-    }
+    give(initialize);
     const v1::Initialized& initialized = exchange(Reply::kInitialized).initialized();
-    if (identity_.role == Role::fluid) {
-      interface = decode(initialized.interface(), dimension, the_case.solid().body_size());
-      surface = Surface::at_rest(dimension, interface.points());
-      decode_load(initialized.load(), surface);
-    } else {
-      if (interface.points() == 0) surface = Surface::at_rest(dimension, 0);
-      decode_motion(initialized.motion(), surface);
-    }
+    take(initialized);
     Setup setup = decode(initialized);
     columns_ = setup.columns.size();
     return setup;
   });
 }
 
-Report RemoteParticipant::advance(const Window& window, Surface& surface) {
+template <typename Give, typename Take>
+Report RemoteParticipant::advance_by(const Window& window, const Give& give, const Take& take) {
   return call(fmt::format("advance, window {} (t = {:.6g} s)", window.index, window.start), [&] {
     v1::Advance& advance = *request_.mutable_advance();
     encode(window, *advance.mutable_window());
-    if (identity_.role == Role::fluid) {
-      encode_motion(surface, *advance.mutable_motion());
-    } else {
-      encode_load(surface, *advance.mutable_load());
-    }
+    attempt_ = window.attempt == Attempt::again ? attempt_ + 1 : advance.window().attempt();
+    advance.mutable_window()->set_attempt(attempt_);
+    give(advance);
     const v1::Advanced& advanced = exchange(Reply::kAdvanced).advanced();
-    if (identity_.role == Role::fluid) {
-      decode_load(advanced.load(), surface);
-    } else {
-      decode_motion(advanced.motion(), surface);
-    }
+    take(advanced);
     return decode(advanced, columns_);
   });
+}
+
+Setup RemoteFluid::initialize(const v1::Case& the_case, Interface& interface, InterfaceLoad& load) {
+  const int dimension = the_case.dimension();
+  return initialize_by(
+      the_case, [](v1::Initialize&) {},
+      [&](const v1::Initialized& reply) {
+        interface = decode(reply.interface(), dimension, the_case.solid().body_size());
+        load = InterfaceLoad::zero(dimension, interface.points());
+        decode(reply.load(), load);
+      });
+}
+
+Report RemoteFluid::advance(const Window& window, const InterfaceMotion& motion, InterfaceLoad& load) {
+  return advance_by(
+      window, [&](v1::Advance& request) { encode(motion, *request.mutable_motion()); },
+      [&](const v1::Advanced& reply) { decode(reply.load(), load); });
+}
+
+Setup RemoteSolid::initialize(const v1::Case& the_case, const Interface& interface, const InterfaceLoad& load,
+                              InterfaceMotion& motion) {
+  motion = InterfaceMotion::at_rest(the_case.dimension(), interface.points());
+  return initialize_by(
+      the_case,
+      [&](v1::Initialize& request) {
+        if (interface.points() == 0) return;
+        encode(interface, *request.mutable_interface());
+        encode(load, *request.mutable_load());
+      },
+      [&](const v1::Initialized& reply) { decode(reply.motion(), motion); });
+}
+
+Report RemoteSolid::advance(const Window& window, const InterfaceLoad& load, InterfaceMotion& motion) {
+  return advance_by(
+      window, [&](v1::Advance& request) { encode(load, *request.mutable_load()); },
+      [&](const v1::Advanced& reply) { decode(reply.motion(), motion); });
 }
 
 std::string RemoteParticipant::save() {

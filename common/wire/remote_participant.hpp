@@ -13,7 +13,7 @@ namespace cosurge {
 /// Every call sends one request and sleeps until its reply is there. Replies are checked: sequence, kind,
 /// lengths, every number finite. The first error ends the participation; it names the solver, the call and
 /// the window, and the solver is told.
-class RemoteParticipant : public Participant {
+class RemoteParticipant : public virtual Participant {
  public:
   /// Requirements of the coupler on the solver.
   struct Expectation {
@@ -45,8 +45,6 @@ class RemoteParticipant : public Participant {
   ~RemoteParticipant() override;
 
   Identity identity() const override { return identity_; }
-  Setup initialize(const v1::Case& the_case, Interface& interface, Surface& surface) override;
-  Report advance(const Window& window, Surface& surface) override;
   std::string save() override;
   void restore(const std::string& state) override;
   Snapshot frame() override;
@@ -57,6 +55,14 @@ class RemoteParticipant : public Participant {
   void abort(const std::string& reason) noexcept;
 
   Cost cost() const;
+
+ protected:
+  /// `give` fills the request beyond the case, `take` reads the reply beyond the setup.
+  template <typename Give, typename Take>
+  Setup initialize_by(const v1::Case& the_case, const Give& give, const Take& take);
+  /// The same for the request beyond the window, and the reply beyond the report.
+  template <typename Give, typename Take>
+  Report advance_by(const Window& window, const Give& give, const Take& take);
 
  private:
   void greet(const Expectation& expected);
@@ -72,8 +78,26 @@ class RemoteParticipant : public Participant {
   std::string place_;  // position of the current call in the run, for errors
   bool over_ = false;
   std::uint64_t sequence_ = 0;
+  std::uint32_t attempt_ = 0;  // number of the last window's attempt
   std::size_t columns_ = 0;
   Cost cost_;
+};
+
+class RemoteFluid : public Fluid, public RemoteParticipant {
+ public:
+  using RemoteParticipant::RemoteParticipant;
+
+  Setup initialize(const v1::Case& the_case, Interface& interface, InterfaceLoad& load) override;
+  Report advance(const Window& window, const InterfaceMotion& motion, InterfaceLoad& load) override;
+};
+
+class RemoteSolid : public Solid, public RemoteParticipant {
+ public:
+  using RemoteParticipant::RemoteParticipant;
+
+  Setup initialize(const v1::Case& the_case, const Interface& interface, const InterfaceLoad& load,
+                   InterfaceMotion& motion) override;
+  Report advance(const Window& window, const InterfaceLoad& load, InterfaceMotion& motion) override;
 };
 
 }  // namespace cosurge

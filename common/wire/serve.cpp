@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 
 #include "common/version.hpp"
 #include "common/wire/convert.hpp"
+#include "common/wire/timed_call.hpp"
 
 namespace cosurge {
 namespace {
@@ -59,15 +59,6 @@ std::string place(const Request& request) {
   return fmt::format("advance, window {} (t = {:.6g} s)", window.index(), window.start());
 }
 
-/// The result of the call and the seconds it took.
-template <typename Call>
-auto timed(v1::Reply& reply, Call&& call) {
-  const auto start = std::chrono::steady_clock::now();
-  auto result = call();
-  reply.set_seconds(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-  return result;
-}
-
 v1::Reply failure(const std::string& what, bool numerical) {
   v1::Reply reply;
   reply.mutable_failure()->set_what(what);
@@ -78,11 +69,14 @@ v1::Reply failure(const std::string& what, bool numerical) {
 }  // namespace
 
 Service::Service(Participant& participant, std::string token)
-    : participant_(participant), identity_(participant.identity()), token_(std::move(token)) {}
+    : participant_(participant),
+      side_(side_of(participant)),
+      identity_(participant.identity()),
+      token_(std::move(token)) {}
 
 v1::Reply Service::hello() const {
   v1::Reply reply;
-  encode(identity_, *reply.mutable_hello());
+  encode(participant_.role(), identity_, *reply.mutable_hello());
   reply.mutable_hello()->set_protocol(protocol_version);
   reply.mutable_hello()->set_token(token_);
   return reply;
@@ -121,7 +115,7 @@ void Service::dispatch(const Request& request, v1::Reply& reply) {
   } else {
     if (request.has_welcome()) welcome(request.welcome());
     if (request.has_restore()) participant_.restore(request.restore().state());
-    remembered_ = {};
+    remembered_.Clear();
     if (request.has_finalize()) participant_.finalize();
     reply.mutable_done();
   }
@@ -136,55 +130,26 @@ void Service::welcome(const v1::Welcome& request) const {
 }
 
 void Service::initialize(const v1::Initialize& request, v1::Reply& reply) {
-  const v1::Case& scene = request.the_case();
-  const int dimension = scene.dimension();
+  const int dimension = request.the_case().dimension();
   const auto& dimensions = identity_.dimensions;
   require(std::find(dimensions.begin(), dimensions.end(), dimension) != dimensions.end(),
           "{} does not support {} dimensions", identity_.program, dimension);
-  interface_ = {
-      .dimension = dimension, .position = Field(dimension, 0), .area = Field(dimension, 0), .body = {}};
-  if (request.has_interface()) interface_ = decode(request.interface(), dimension, scene.solid().body_size());
-  surface_ = Surface::at_rest(dimension, interface_.points());
-  if (request.has_load()) decode_load(request.load(), surface_);
-
-  const Setup setup = timed(reply, [&] { return participant_.initialize(scene, interface_, surface_); });
-  v1::Initialized& initialized = *reply.mutable_initialized();
-  encode(setup, initialized);
-  if (identity_.role == Role::fluid) {
-    encode(interface_, *initialized.mutable_interface());
-    encode_load(surface_, *initialized.mutable_load());
-  } else {
-    encode_motion(surface_, *initialized.mutable_motion());
-  }
+  side_->initialize(request, reply);
 }
 
 /// A window can be gone through again as long as no other has come between.
-void Service::check_attempt(const Window& window) {
-  require(window.attempt <= 1 ||
-              (remembered_.attempt == window.attempt - 1 && remembered_.index == window.index &&
-               remembered_.start == window.start && remembered_.size == window.size),
-          "attempt {} is at another window than attempt {} before it", window.attempt, window.attempt - 1);
+void Service::check_attempt(const v1::Window& window) {
+  require(window.attempt() <= 1 ||
+              (remembered_.attempt() == window.attempt() - 1 && remembered_.index() == window.index() &&
+               remembered_.start() == window.start() && remembered_.size() == window.size()),
+          "attempt {} is at another window than attempt {} before it", window.attempt(),
+          window.attempt() - 1);
   remembered_ = window;
 }
 
 void Service::advance(const v1::Advance& request, v1::Reply& reply) {
-  const Window window = decode(request.window());
-  check_attempt(window);
-  if (identity_.role == Role::fluid) {
-    require(request.has_motion(), "no motion for the fluid");
-    decode_motion(request.motion(), surface_);
-  } else {
-    require(request.has_load(), "no load for the solid");
-    decode_load(request.load(), surface_);
-  }
-  const Report report = timed(reply, [&] { return participant_.advance(window, surface_); });
-  v1::Advanced& advanced = *reply.mutable_advanced();
-  encode(report, advanced);
-  if (identity_.role == Role::fluid) {
-    encode_load(surface_, *advanced.mutable_load());
-  } else {
-    encode_motion(surface_, *advanced.mutable_motion());
-  }
+  check_attempt(request.window());
+  side_->advance(request, reply);
 }
 
 void serve(Participant& participant, Channel& channel, const std::string& token) {

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 
 #include "common/participant.hpp"
 #include "common/wire/channel.hpp"
+#include "common/wire/side.hpp"
 #include "proto/exchange.pb.h"
 
 namespace cosurge {
@@ -36,16 +38,15 @@ class Service {
   void welcome(const v1::Welcome& request) const;
   void initialize(const v1::Initialize& request, v1::Reply& reply);
   void advance(const v1::Advance& request, v1::Reply& reply);
-  void check_attempt(const Window& window);
+  void check_attempt(const v1::Window& window);
 
   Participant& participant_;
+  std::unique_ptr<Side> side_;
   Identity identity_;
   std::string token_;
   State state_ = State::greeted;
   std::uint64_t sequence_ = 0;
-  Interface interface_;
-  Surface surface_;
-  Window remembered_;  // that may be gone through again; attempt 0: none
+  v1::Window remembered_;  // that may be gone through again; attempt 0: none
 };
 
 /// Serves one run: sends Hello and answers until the run is finalized. Errors are reported to the coupler,

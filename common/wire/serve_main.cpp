@@ -35,8 +35,9 @@ void end_in_words(int) {
 void run(Participant& participant, const Options& options) {
   const Identity identity = participant.identity();
   Connection connection = read_connection(options.connection);
-  require(connection.role == identity.role, "{} is for a {} solver, {} is a {} solver", options.connection,
-          role_name(connection.role), identity.program, role_name(identity.role));
+  const Role role = participant.role();
+  require(connection.role == role, "{} is for a {} solver, {} is a {} solver", options.connection,
+          role_name(connection.role), identity.program, role_name(role));
   if (!options.endpoint.empty()) connection.endpoint = options.endpoint;
   set_threads(options.threads);
   Channel channel = Channel::connect(
@@ -56,7 +57,7 @@ int serve_main(int argc, char** argv, const std::function<std::unique_ptr<Partic
     name = identity.program;
     CLI::App app(fmt::format("The {} solver of a Cosurge run. The coupler starts it. To start it by hand, "
                              "also on another machine, use the command that the coupler prints.",
-                             role_name(identity.role)),
+                             role_name(participant->role())),
                  name);
     Options options;
     app.set_version_flag("--version", name + " " + identity.version);

@@ -6,6 +6,7 @@
 #include "common/case/carriers.hpp"
 #include "common/case/case_doubts.hpp"
 #include "common/case/case_file.hpp"
+#include "common/case/several_solids.hpp"
 #include "common/case/window_sizes.hpp"
 #include "common/error.hpp"
 #include "common/solvers.hpp"
@@ -25,9 +26,9 @@ double dry_frequency(v1::Case the_case) {
     the_case.mutable_solid()->set_model(v1::SolidModel::fem);
   Interface no_points;
   no_points.dimension = the_case.dimension();
-  Surface surface = Surface::at_rest(the_case.dimension(), 0);
-  make_solid_solver()->initialize(the_case, no_points, surface);
-  return surface.frequency / (2 * std::numbers::pi);
+  InterfaceMotion motion;
+  make_solid_solver()->initialize(the_case, no_points, InterfaceLoad::zero(the_case.dimension(), 0), motion);
+  return motion.frequency / (2 * std::numbers::pi);
 }
 
 /// Whether walls or bodies have a prescribed motion.
@@ -80,12 +81,10 @@ void say_fits(const char* title, const std::vector<Fit>& fits) {
 
 }  // namespace
 
-void advise_command(const std::string& case_path, const std::vector<std::string>& overrides) {
-  const v1::Case the_case = load_case(case_path, overrides);
-  require(the_case.has_fluid() && the_case.has_solid(),
-          "{}: has no {}; cosurge advise compares water with a structure. cosurge check estimates its size",
-          case_path, the_case.has_fluid() ? "[solid]" : "[fluid]");
-  for (const std::string& doubt : doubts(the_case)) say("warning: {}\n", doubt);
+namespace {
+
+/// The advice for a case of one structure.
+void advise(const v1::Case& the_case) {
   const SceneNumbers scene = scene_numbers(the_case, dry_frequency(the_case));
   for (const std::string& warning : coarse_spacings(the_case, scene)) say("warning: {}\n", warning);
   say("{}\n", the_case.title());
@@ -98,6 +97,28 @@ void advise_command(const std::string& case_path, const std::vector<std::string>
   say_fits("models", model_fits(the_case, scene));
   say_fits("coupling schemes, with the other settings of the case", scheme_fits(the_case, scene));
   say("{}\n", recommendation(the_case, scene));
+}
+
+}  // namespace
+
+void advise_command(const std::string& case_path, const std::vector<std::string>& overrides) {
+  const v1::Case the_case = load_case(case_path, overrides);
+  require(the_case.has_fluid() && the_case.has_solid(),
+          "{}: has no {}; cosurge advise compares water with a structure. cosurge check estimates its size",
+          case_path, the_case.has_fluid() ? "[solid]" : "[fluid]");
+  for (const std::string& doubt : doubts(the_case)) say("warning: {}\n", doubt);
+  if (!has_several_solids(the_case)) {
+    advise(the_case);
+  } else {
+    say("the case has {} structures: the advice looks at each as if it stood alone in the water; one "
+        "coupling "
+        "scheme must fit all\n",
+        the_case.solids_size());
+    for (int k = 0; k < the_case.solids_size(); ++k) {
+      say("\nstructure {}\n", the_case.solids(k).name());
+      advise(case_of_solid(the_case, k));
+    }
+  }
   say("size\n");
   Simulation simulation(the_case);
   say_size(the_case, measure_size(simulation));

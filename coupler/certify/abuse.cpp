@@ -40,7 +40,7 @@ v1::Request Abuse::initialize(const CertifyOptions& options) const {
   if (options.role == Role::solid) {
     const Interface points = points_of_plate(c);
     encode(points, *request.mutable_initialize()->mutable_interface());
-    encode_load(Surface::at_rest(2, points.points()), *request.mutable_initialize()->mutable_load());
+    encode(InterfaceLoad::zero(2, points.points()), *request.mutable_initialize()->mutable_load());
   }
   return request;
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/ranges.h>
 
+#include "common/case/several_solids.hpp"
+
 namespace cosurge {
 namespace {
 
@@ -48,7 +50,9 @@ void add(Json& rows, const std::string& prefix, const Message& message) {
   std::vector<const FieldDescriptor*> fields;
   r->ListFields(message, &fields);
   for (const FieldDescriptor* field : fields) {
-    const std::string key = prefix + field->name();
+    const v1::Rule& rule = field->options().GetExtension(v1::rule);
+    if (rule.created()) continue;
+    const std::string key = prefix + (rule.has_key() ? rule.key() : field->name());
     if (field->cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE) {
       if (!field->is_repeated()) add(rows, key + ".", r->GetMessage(message, field));
       for (int k = 0; field->is_repeated() && k < r->FieldSize(message, field); ++k)
@@ -56,8 +60,7 @@ void add(Json& rows, const std::string& prefix, const Message& message) {
       continue;
     }
     const std::string value = field->is_repeated() ? list_of(message, field) : text_of(message, field, -1);
-    const std::string unit = field->options().GetExtension(v1::rule).unit();
-    rows.push_back({key, value, unit == "-" ? "" : unit});
+    rows.push_back({key, value, rule.unit() == "-" ? "" : rule.unit()});
   }
 }
 
@@ -65,7 +68,9 @@ void add(Json& rows, const std::string& prefix, const Message& message) {
 
 Json case_table(const v1::Case& the_case) {
   Json rows = Json::array();
-  add(rows, "", the_case);
+  v1::Case written = the_case;
+  if (has_several_solids(the_case)) written.clear_solid();  // the bodies of all structures, which follow
+  add(rows, "", written);
   return rows;
 }
 

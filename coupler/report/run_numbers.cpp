@@ -22,8 +22,9 @@ bool is_clock(const std::string& name) {
 }
 
 bool is_load(const std::string& name) {
-  return name.starts_with("coupling/force_") || name.starts_with("solid/load_") ||
-         name.starts_with("solid/contact_load_");
+  const bool of_solid = name.starts_with("solid/");
+  return name.starts_with("coupling/force_") || (of_solid && name.find("/load_") != std::string::npos) ||
+         (of_solid && name.find("/contact_load_") != std::string::npos);
 }
 
 double integral(const std::vector<double>& time, const std::vector<double>& values) {

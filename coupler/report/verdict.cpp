@@ -71,7 +71,10 @@ void remark_on_coupling(const RunRecord& run, Remarks& remarks) {
         "the coupling created {:.2g} J of spurious energy ({:.3g} % of the work done, limit {:.0f} %)",
         created, 100 * created / all, 100 * InterfaceAccount::much));
   constexpr double small = small_deflection;
-  if (const double bent = run.most("solid/largest_deflection"); bent > small)
+  double bent = 0;
+  for (const Series& history : run.histories)
+    if (is_largest_deflection(history.name)) bent = std::max(bent, run.most(history.name));
+  if (bent > small)
     remarks.bad(fmt::format("a body bends by {:.3g} % of its length; the model modal is valid up to {:.0f} %",
                             100 * bent, 100 * small));
 }

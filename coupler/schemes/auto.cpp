@@ -25,12 +25,12 @@ Auto::Auto(const v1::Coupling& coupling, Participants participants)
       weak_inertial_(participants),
       strong_(coupling, participants) {}
 
-Reports Auto::advance(const Window& window, Surface& surface, InterfaceAccount& account) {
+Reports Auto::advance(const Window& window, InterfaceState& interface, InterfaceAccount& account) {
   const bool due = window.index % probe_interval == 0;
   const bool probe = choice_ == strong || due;
   Scheme& scheme = probe ? strong_ : current();
   if (due) watch(account);
-  Reports reports = scheme.advance(window, surface, account);
+  Reports reports = scheme.advance(window, interface, account);
   effort_ = scheme.effort();
   if (probe || choice_ == weak_inertial) choose(strong_.has_modes());
   effort_.settled = choice_ == strong || (due && alternating_ == 0 && !creates_);

@@ -22,7 +22,7 @@ class Auto : public Scheme {
   Auto(const Auto&) = delete;
   Auto& operator=(const Auto&) = delete;
 
-  Reports advance(const Window& window, Surface& surface, InterfaceAccount& account) override;
+  Reports advance(const Window& window, InterfaceState& interface, InterfaceAccount& account) override;
 
   const Effort& effort() const override { return effort_; }
   bool may_go_back() const override { return choice_ != strong; }

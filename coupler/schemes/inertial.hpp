@@ -5,11 +5,12 @@
 
 namespace cosurge {
 
-/// The solid's first attempt at a window: under the load of the surface. Fills its motion and its modes.
-inline void predict_motion(const Participants& participants, const Window& window, Surface& surface) {
+/// The solid's first attempt at a window: under the interface's last load. Fills its motion and its modes.
+inline void predict_motion(const Participants& participants, const Window& window,
+                           InterfaceState& interface) {
   Window attempt = window;
-  attempt.attempt = 1;
-  participants.solid->advance(attempt, surface);
+  attempt.attempt = Attempt::first;
+  participants.solid->advance(attempt, interface.load, interface.motion);
 }
 
 /// The change of the modes' velocity by the difference between a load and the predicted load [m/s].

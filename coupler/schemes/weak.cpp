@@ -2,18 +2,20 @@
 
 namespace cosurge {
 
-Reports Weak::advance(const Window& window, Surface& surface, InterfaceAccount& account) {
+Reports Weak::advance(const Window& window, InterfaceState& interface, InterfaceAccount& account) {
   Reports reports;
-  account.open(surface);
-  const Field before = surface.velocity;
-  surface.velocity = prediction_.next(before, window);
-  const Field seen = surface.velocity;
-  if (participants_.fluid != nullptr) reports.push_back(participants_.fluid->advance(window, surface));
-  if (participants_.solid != nullptr) reports.push_back(participants_.solid->advance(window, surface));
-  account.close(surface, seen, window);
+  account.open(interface);
+  const Field before = interface.motion.velocity;
+  interface.motion.velocity = prediction_.next(before, window);
+  const Field seen = interface.motion.velocity;
+  if (participants_.fluid != nullptr)
+    reports.push_back(participants_.fluid->advance(window, interface.motion, interface.load));
+  if (participants_.solid != nullptr)
+    reports.push_back(participants_.solid->advance(window, interface.load, interface.motion));
+  account.close(interface, seen, window);
   prediction_.passed(before, window);
-  ratio_.passed(surface.velocity, window);
-  effort_ = one_exchange(seen, surface.velocity);
+  ratio_.passed(interface.motion.velocity, window);
+  effort_ = one_exchange(seen, interface.motion.velocity);
   return reports;
 }
 

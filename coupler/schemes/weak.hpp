@@ -15,7 +15,7 @@ class Weak : public Scheme {
   Weak(const v1::Coupling& coupling, Participants participants)
       : participants_(participants), prediction_(coupling.prediction()) {}
 
-  Reports advance(const Window& window, Surface& surface, InterfaceAccount& account) override;
+  Reports advance(const Window& window, InterfaceState& interface, InterfaceAccount& account) override;
 
   const Effort& effort() const override { return effort_; }
   const AddedMassRatio& ratio() const override { return ratio_; }

@@ -4,20 +4,20 @@
 
 namespace cosurge {
 
-Reports WeakInertial::advance(const Window& window, Surface& surface, InterfaceAccount& account) {
-  account.open(surface);
-  const Field start = surface.displacement;
-  predict_motion(participants_, window, surface);
-  surface.displacement = start;
-  const Report fluid = participants_.fluid->advance(window, surface);
-  const Field seen = surface.velocity + velocity_of(surface.modes, surface.force);
+Reports WeakInertial::advance(const Window& window, InterfaceState& interface, InterfaceAccount& account) {
+  account.open(interface);
+  const Field start = interface.motion.displacement;
+  predict_motion(participants_, window, interface);
+  interface.motion.displacement = start;
+  const Report fluid = participants_.fluid->advance(window, interface.motion, interface.load);
+  const Field seen = interface.motion.velocity + velocity_of(interface.motion.modes, interface.load.force);
 
   Window attempt = window;
-  attempt.attempt = 2;
-  const Report solid = participants_.solid->advance(attempt, surface);
-  account.close(surface, seen, window);
-  ratio_.passed(surface.velocity, window);
-  effort_ = one_exchange(seen, surface.velocity);
+  attempt.attempt = Attempt::again;
+  const Report solid = participants_.solid->advance(attempt, interface.load, interface.motion);
+  account.close(interface, seen, window);
+  ratio_.passed(interface.motion.velocity, window);
+  effort_ = one_exchange(seen, interface.motion.velocity);
   return {fluid, solid};
 }
 

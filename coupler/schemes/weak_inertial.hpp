@@ -14,7 +14,7 @@ class WeakInertial : public Scheme {
  public:
   explicit WeakInertial(Participants participants) : participants_(participants) {}
 
-  Reports advance(const Window& window, Surface& surface, InterfaceAccount& account) override;
+  Reports advance(const Window& window, InterfaceState& interface, InterfaceAccount& account) override;
 
   void forget_ratio() { ratio_ = {}; }  ///< windows by another scheme have come between
 

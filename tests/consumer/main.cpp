@@ -5,25 +5,24 @@
 #include <iostream>
 #include <stdexcept>
 
-struct LeaningPlate : cosurge::Participant {
+struct LeaningPlate : cosurge::Solid {
   double mass = 2, spring = 2000;  // per metre of width, of the unknown q [kg/m, N/m2]
   double q = 0, speed = 0;
   Eigen::RowVectorXd lean;  // H: of each point, for a unit of q
 
-  cosurge::Identity identity() const override {
-    return {cosurge::Role::solid, "leaning plate", "1", {2}, {"save", "frame"}};
-  }
-  cosurge::Setup initialize(const cosurge::v1::Case&, cosurge::Interface& points,
-                            cosurge::Surface& surface) override {
+  cosurge::Identity identity() const override { return {"leaning plate", "1", {2}, {"save", "frame"}}; }
+  cosurge::Setup initialize(const cosurge::v1::Case&, const cosurge::Interface& points,
+                            const cosurge::InterfaceLoad&, cosurge::InterfaceMotion& motion) override {
     lean = (points.position.row(1) / points.position.row(1).maxCoeff()).array().square();
-    surface = cosurge::Surface::at_rest(2, points.points());
+    motion = cosurge::InterfaceMotion::at_rest(2, points.points());
     return {.columns = {{"q", "m"}}, .particles = 0, .window = 1};
   }
-  cosurge::Report advance(const cosurge::Window& window, cosurge::Surface& surface) override {
-    speed += window.size * (surface.force.row(0).dot(lean) - spring * q) / mass;
+  cosurge::Report advance(const cosurge::Window& window, const cosurge::InterfaceLoad& load,
+                          cosurge::InterfaceMotion& motion) override {
+    speed += window.size * (load.force.row(0).dot(lean) - spring * q) / mass;
     q += window.size * speed;
-    surface.displacement.row(0) = q * lean;
-    surface.velocity.row(0) = speed * lean;
+    motion.displacement.row(0) = q * lean;
+    motion.velocity.row(0) = speed * lean;
     return {.values = {q}, .window = 1};
   }
   std::string save() override {

@@ -78,7 +78,7 @@ void run(const Options& options) {
 void run_and_throw(const Options& options) {
   const Connection connection = read_connection(options.connection);
   const auto fluid = testing::water_column({});
-  fluid->on_advance = [](const Window&, Surface&) -> Report {
+  fluid->on_advance = [](const Window&, const InterfaceMotion&, InterfaceLoad&) -> Report {
     throw NumericalError("the mock has diverged");
   };
   Channel channel = Channel::connect(connection, {.peer = "the coupler", .patience = 60});

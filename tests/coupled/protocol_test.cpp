@@ -56,12 +56,15 @@ class Processes : public ::testing::Test {
 };
 
 /// A run of some windows.
-void advance_a_little(RemoteParticipant& fluid) {
+void advance_a_little(RemoteParticipant& participant) {
+  Fluid& fluid = dynamic_cast<RemoteFluid&>(participant);
   Interface interface;
-  Surface surface;
-  fluid.initialize(testing::piston_case(), interface, surface);
+  InterfaceMotion motion;
+  InterfaceLoad load;
+  fluid.initialize(testing::piston_case(), interface, load);
+  motion = InterfaceMotion::at_rest(2, interface.points());
   for (std::uint64_t n = 0; n < 5; ++n) {
-    fluid.advance({.index = n, .start = static_cast<double>(n) * 1e-3, .size = 1e-3}, surface);
+    fluid.advance({.index = n, .start = static_cast<double>(n) * 1e-3, .size = 1e-3}, motion, load);
   }
 }
 

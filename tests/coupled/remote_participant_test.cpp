@@ -13,42 +13,51 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-using testing::MockParticipant;
+using testing::MockFluid;
 using ::testing::ThrowsMessage;
 
 const testing::Piston piston;
 
 /// A served water column, and the coupler's side of it.
 struct Remote {
-  explicit Remote(std::unique_ptr<MockParticipant> mock = testing::water_column(piston))
-      : solver(Solver::thread(std::move(mock), 10, 1)), participant(solver.join(2, {"save"})) {}
+  explicit Remote(std::unique_ptr<MockFluid> mock = testing::water_column(piston))
+      : solver(Solver::thread(std::move(mock), 10, 1)),
+        participant(dynamic_cast<RemoteFluid&>(solver.join(2, {"save"}))) {}
 
-  void initialize() { participant.initialize(testing::piston_case(), interface, surface); }
+  cosurge::Setup initialize() {
+    cosurge::Setup setup = participant.initialize(testing::piston_case(), interface, load);
+    motion = InterfaceMotion::at_rest(2, interface.points());
+    return setup;
+  }
+  Report advance() { return participant.advance(window, motion, load); }
 
   Solver solver;
-  RemoteParticipant& participant;
+  RemoteFluid& participant;
   Interface interface;
-  Surface surface;
+  InterfaceMotion motion;
+  InterfaceLoad load;
   Window window{.index = 212, .start = 0.0212, .size = 1e-4};
 };
 
-std::unique_ptr<MockParticipant> with_advance(std::function<Report(const Window&, Surface&)> advance) {
+std::unique_ptr<MockFluid> with_advance(decltype(MockFluid::on_advance) advance) {
   auto mock = testing::water_column(piston);
   mock->on_advance = std::move(advance);
   return mock;
 }
 
 /// Windows of the weak scheme: the fluid with the solid's last motion, then the solid with the new load.
-std::vector<double> weak_run(Participant& fluid, Participant& solid, int windows) {
+std::vector<double> weak_run(Fluid& fluid, Solid& solid, int windows) {
   Interface interface;
-  Surface surface;
-  fluid.initialize(testing::piston_case(), interface, surface);
-  solid.initialize(testing::piston_case(), interface, surface);
+  InterfaceMotion motion;
+  InterfaceLoad load;
+  fluid.initialize(testing::piston_case(), interface, load);
+  motion = InterfaceMotion::at_rest(2, interface.points());
+  solid.initialize(testing::piston_case(), interface, load, motion);
   std::vector<double> heights;
   for (int n = 0; n < windows; ++n) {
     const Window window{.index = static_cast<std::uint64_t>(n), .start = n * 1e-3, .size = 1e-3};
-    fluid.advance(window, surface);
-    heights.push_back(solid.advance(window, surface).values.at(0));
+    fluid.advance(window, motion, load);
+    heights.push_back(solid.advance(window, load, motion).values.at(0));
   }
   fluid.finalize();
   solid.finalize();
@@ -61,18 +70,19 @@ TEST(RemoteParticipant, ComputesTheSameBitsAsADirectOne) {
   const std::vector<double> direct = weak_run(*fluid, *solid, 200);
   Solver far_fluid = Solver::thread(testing::water_column(piston), 10, 1);
   Solver far_solid = Solver::thread(testing::sprung_piston(piston), 10, 1);
-  EXPECT_EQ(weak_run(far_fluid.join(2, {}), far_solid.join(2, {}), 200), direct);
+  EXPECT_EQ(weak_run(dynamic_cast<RemoteFluid&>(far_fluid.join(2, {})),
+                     dynamic_cast<RemoteSolid&>(far_solid.join(2, {})), 200),
+            direct);
   EXPECT_NE(direct.back(), 0);
 }
 
 TEST(RemoteParticipant, SaysWhoItIsAndWhatItReports) {
   Remote remote;
   EXPECT_EQ(remote.participant.identity().program, "mock_fluid");
-  const cosurge::Setup setup =
-      remote.participant.initialize(testing::piston_case(), remote.interface, remote.surface);
+  const cosurge::Setup setup = remote.initialize();
   EXPECT_EQ(setup.columns.at(0).unit, "Pa");
   EXPECT_EQ(remote.interface.points(), piston.points);
-  const Report report = remote.participant.advance(remote.window, remote.surface);
+  const Report report = remote.advance();
   // At rest the pressure carries the weight of the column.
   EXPECT_DOUBLE_EQ(report.values.at(0), piston.density * piston.gravity * piston.height);
   EXPECT_EQ(remote.participant.frame().at(0).name, "state");
@@ -81,37 +91,39 @@ TEST(RemoteParticipant, SaysWhoItIsAndWhatItReports) {
 TEST(RemoteParticipant, ContinuesFromASavedState) {
   Remote remote;
   remote.initialize();
-  remote.surface.velocity.setConstant(0.1);
-  remote.participant.advance(remote.window, remote.surface);
+  remote.motion.velocity.setConstant(0.1);
+  remote.advance();
   const std::string state = remote.participant.save();
-  const Report once = remote.participant.advance(remote.window, remote.surface);
+  const Report once = remote.advance();
   remote.participant.restore(state);
-  EXPECT_EQ(remote.participant.advance(remote.window, remote.surface).values, once.values);
+  EXPECT_EQ(remote.advance().values, once.values);
 }
 
 TEST(RemoteParticipant, NamesSolverFieldPointAndWindowOfANumberThatIsNotFinite) {
-  Remote remote(with_advance([](const Window&, Surface& surface) {
-    surface.force(0, 2) = std::numeric_limits<double>::quiet_NaN();
+  Remote remote(with_advance([](const Window&, const InterfaceMotion&, InterfaceLoad& load) {
+    load.force(0, 2) = std::numeric_limits<double>::quiet_NaN();
     return Report{.values = {0}, .window = 1};
   }));
   remote.initialize();
   EXPECT_THAT(
-      [&] { remote.participant.advance(remote.window, remote.surface); },
+      [&] { remote.advance(); },
       ThrowsMessage<Error>("mock_fluid 0.1.0: force of point 2 is nan [advance, window 212 (t = 0.0212 s)]"));
   EXPECT_THAT([&] { remote.participant.save(); },
               ThrowsMessage<Error>("mock_fluid 0.1.0: save was requested after its end"));
 }
 
 TEST(RemoteParticipant, ThrowsWhatTheSolverThrowsAndOfTheSameKind) {
-  Remote numerical(with_advance([](const Window&, Surface&) -> Report { throw NumericalError("diverged"); }));
+  Remote numerical(with_advance([](const Window&, const InterfaceMotion&, InterfaceLoad&) -> Report {
+    throw NumericalError("diverged");
+  }));
   numerical.initialize();
   EXPECT_THAT(
-      [&] { numerical.participant.advance(numerical.window, numerical.surface); },
+      [&] { numerical.advance(); },
       ThrowsMessage<NumericalError>("mock_fluid 0.1.0: diverged [advance, window 212 (t = 0.0212 s)]"));
-  Remote other(with_advance([](const Window&, Surface&) -> Report { throw std::bad_alloc(); }));
+  Remote other(with_advance(
+      [](const Window&, const InterfaceMotion&, InterfaceLoad&) -> Report { throw std::bad_alloc(); }));
   other.initialize();
-  EXPECT_THAT([&] { other.participant.advance(other.window, other.surface); },
-              ThrowsMessage<Error>(HasSubstr("mock_fluid 0.1.0: std::bad_alloc")));
+  EXPECT_THAT([&] { other.advance(); }, ThrowsMessage<Error>(HasSubstr("mock_fluid 0.1.0: std::bad_alloc")));
 }
 
 TEST(RemoteParticipant, RefusesASolverOfAnotherDimensionOrWithoutACapability) {
@@ -127,12 +139,12 @@ TEST(RemoteParticipant, RefusesASolverOfAnotherDimensionOrWithoutACapability) {
 
 TEST(RemoteParticipant, TellsComputingFromTheExchange) {
   static constexpr double computing = 0.05;  // [s]
-  Remote remote(with_advance([](const Window&, Surface&) {
+  Remote remote(with_advance([](const Window&, const InterfaceMotion&, InterfaceLoad&) {
     std::this_thread::sleep_for(std::chrono::duration<double>(computing));
     return Report{.values = {0}, .window = 1};
   }));
   remote.initialize();
-  remote.participant.advance(remote.window, remote.surface);
+  remote.advance();
   const RemoteParticipant::Cost cost = remote.participant.cost();
   EXPECT_EQ(cost.calls, 3U);     // welcome, initialize, advance
   EXPECT_EQ(cost.messages, 7U);  // hello, and two a call

@@ -44,17 +44,19 @@ class Numbers : public Observer {
 };
 
 /// A structure that moves away from the water at one speed.
-std::unique_ptr<MockParticipant> moving_plate(double speed) {
-  auto solid = std::make_unique<MockParticipant>(Role::solid);
+std::unique_ptr<MockSolid> moving_plate(double speed) {
+  auto solid = std::make_unique<MockSolid>();
   solid->state = {0};
-  solid->on_initialize = [](const v1::Case& the_case, Interface& interface, Surface& surface) {
-    surface = Surface::at_rest(the_case.dimension(), interface.points());
+  solid->on_initialize = [](const v1::Case& the_case, const Interface& interface, const InterfaceLoad&,
+                            InterfaceMotion& motion) {
+    motion = InterfaceMotion::at_rest(the_case.dimension(), interface.points());
     return Setup{.columns = {{"way", "m"}}, .particles = 1, .window = 1, .substep = 0};
   };
-  solid->on_advance = [speed, &way = solid->state[0]](const Window& window, Surface& surface) {
+  solid->on_advance = [speed, &way = solid->state[0]](const Window& window, const InterfaceLoad&,
+                                                      InterfaceMotion& motion) {
     way += speed * window.size;
-    surface.displacement.row(0).setConstant(way);
-    surface.velocity.row(0).setConstant(speed);
+    motion.displacement.row(0).setConstant(way);
+    motion.velocity.row(0).setConstant(speed);
     return Report{.values = {way}, .window = 1};
   };
   return solid;
@@ -125,7 +127,7 @@ TEST(Simulation, ReadsACaseFromATextAndSaysItsLines) {
   Simulation simulation = Simulation::of_text(text, {"time.end=0.02"});
   EXPECT_TRUE(simulation.run());
   EXPECT_DOUBLE_EQ(simulation.time(), 0.02);
-  EXPECT_EQ(simulation.participant(Role::solid), nullptr);
+  EXPECT_EQ(simulation.solid(), nullptr);
   EXPECT_THAT([&] { Simulation::of_text(text + "depth = 1\n"); },
               ThrowsMessage<Error>(HasSubstr("case:8: fluid.depth: unknown key")));
 }
@@ -150,6 +152,32 @@ TEST(Simulation, RefusesParticipantsThatHaveNoPlace) {
 
   Simulation water = Simulation::of_file(COSURGE_SOURCE_DIR "/cases/standing_wave");
   EXPECT_THAT([&] { water.here(moving_plate(0)); }, ThrowsMessage<Error>(HasSubstr("has no [solid]")));
+}
+
+TEST(Simulation, GivesEachOfSeveralStructuresASolverByItsName) {
+  const std::string hull = COSURGE_SOURCE_DIR "/cases/rigid_hull";
+  const std::vector<std::string> words = {"time.end=0.02"};
+  Simulation own = Simulation::of_file(hull, words);
+  Numbers first(own);
+  own.run();
+  const ScratchFolder scratch;
+  Simulation apart = Simulation::of_file(hull, words);
+  apart.in_process(Role::solid, "", {.log = scratch.path() / "panel.log", .solid = "panel"});
+  EXPECT_THAT([&] { apart.in_thread(make_solid_solver(), {.solid = "panel"}); },
+              ThrowsMessage<Error>(HasSubstr("the panel has a solver already")));
+  apart.here(make_solid_solver(), "hull");
+  Numbers second(apart);
+  apart.run();
+  EXPECT_GE(first.values.size(), 20U);
+  EXPECT_TRUE(first.values == second.values);
+
+  Simulation named = Simulation::of_file(hull, words), one = Simulation::of_file(small_dam_break, short_run);
+  EXPECT_THAT([&] { named.here(moving_plate(0)); },
+              ThrowsMessage<Error>("the case has several [[solid]]: name one of hull, panel"));
+  EXPECT_THAT([&] { named.here(moving_plate(0), "keel"); },
+              ThrowsMessage<Error>("the case has several [[solid]]: name one of hull, panel, not \"keel\""));
+  EXPECT_THAT([&] { one.here(moving_plate(0), "hull"); },
+              ThrowsMessage<Error>(HasSubstr("the case has one [solid]")));
 }
 
 TEST(Simulation, GivesUpTheWaitForASolverThatNobodyStarts) {

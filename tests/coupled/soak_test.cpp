@@ -66,7 +66,8 @@ void expect_flat(std::uint64_t windows) {
   Solver solid = Solver::thread(testing::sprung_piston(piston), 60, 1);
   fluid.join(2, {});
   solid.join(2, {});
-  Coupler coupler(the_case, {&fluid.participant(), &solid.participant()});
+  Coupler coupler(the_case,
+                  {dynamic_cast<Fluid*>(&fluid.participant()), dynamic_cast<Solid*>(&solid.participant())});
   Recorder recorder(folder.path(), the_case, coupler.members(), coupler.interface(), coupler.columns());
   CheckpointWriter checkpoints(folder.path(), the_case, coupler);
   Measurement early(windows / 5), late(windows - windows_a_frame);

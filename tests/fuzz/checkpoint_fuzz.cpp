@@ -19,8 +19,8 @@ const std::string mark = "cosurge checkpoint, sealed\n";
 /// A run of mocks, and its checkpoint's bytes.
 struct Run {
   testing::Piston piston;
-  std::unique_ptr<testing::MockParticipant> fluid = testing::water_column(piston);
-  std::unique_ptr<testing::MockParticipant> solid = testing::sprung_piston(piston);
+  std::unique_ptr<testing::MockFluid> fluid = testing::water_column(piston);
+  std::unique_ptr<testing::MockSolid> solid = testing::sprung_piston(piston);
   Coupler coupler{testing::piston_case(), {.fluid = fluid.get(), .solid = solid.get()}};
 };
 

@@ -15,8 +15,9 @@ const testing::Piston piston;
 std::vector<std::string> legal_replies() {
   const auto fluid = testing::water_column(piston);
   Service service(*fluid, token);
-  std::vector<v1::Request> requests = {testing::welcome_request(token), testing::initialize_request(2),
-                                       testing::advance_request(3, Surface::at_rest(2, piston.points))};
+  std::vector<v1::Request> requests = {
+      testing::welcome_request(token), testing::initialize_request(2),
+      testing::advance_request(3, InterfaceMotion::at_rest(2, piston.points))};
   for (std::uint64_t sequence = 4; sequence <= 5; ++sequence) requests.emplace_back().set_sequence(sequence);
   requests[3].mutable_save();
   requests[4].mutable_frame();
@@ -29,13 +30,15 @@ void run_with(const std::string& bytes, std::size_t broken) {
   static const std::vector<std::string> run = legal_replies();
   auto [coupler, solver] = Channel::pair({.peer = "solver", .patience = 0}, {.peer = "coupler"});
   for (std::size_t k = 0; k < run.size(); ++k) solver.send_bytes(k == broken % run.size() ? bytes : run[k]);
-  RemoteParticipant fluid(std::move(coupler),
-                          {.role = Role::fluid, .token = token, .dimension = 2, .capabilities = {}});
+  RemoteFluid fluid(std::move(coupler),
+                    {.role = Role::fluid, .token = token, .dimension = 2, .capabilities = {}});
   Interface interface;
-  Surface surface;
-  fluid.initialize(testing::piston_case(), interface, surface);
-  fluid.advance({.index = 0, .start = 0, .size = 1e-4}, surface);
-  if (!surface.force.allFinite() || !surface.pressure.allFinite()) std::abort();
+  InterfaceMotion motion;
+  InterfaceLoad load;
+  fluid.initialize(testing::piston_case(), interface, load);
+  motion = InterfaceMotion::at_rest(2, interface.points());
+  fluid.advance({.index = 0, .start = 0, .size = 1e-4}, motion, load);
+  if (!load.force.allFinite() || !load.pressure.allFinite()) std::abort();
   fluid.save();
   fluid.frame();
 }

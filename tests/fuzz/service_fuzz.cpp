@@ -12,7 +12,7 @@ const testing::Piston piston;
 
 std::vector<v1::Request> legal_requests() {
   std::vector<v1::Request> run = {testing::welcome_request(token), testing::initialize_request(2),
-                                  testing::advance_request(3, Surface::at_rest(2, piston.points))};
+                                  testing::advance_request(3, InterfaceMotion::at_rest(2, piston.points))};
   for (std::uint64_t sequence = 4; sequence <= 7; ++sequence) run.emplace_back().set_sequence(sequence);
   run[3].mutable_save();
   run[4].mutable_frame();

@@ -91,15 +91,17 @@ class ContactScene {
 struct ContactRun {
   SolidParticipant solid;
   Interface interface;
-  Surface surface;
+  InterfaceMotion motion;
+  InterfaceLoad load;
   Setup setup;
   Report report;
   std::vector<std::string> notes;
   std::uint64_t windows = 0;
   double time = 0;
 
-  ContactRun(const v1::Case& c, const Interface& points) : interface(points) {
-    setup = solid.initialize(c, interface, surface);
+  ContactRun(const v1::Case& c, const Interface& points)
+      : interface(points), load(InterfaceLoad::zero(c.dimension(), points.points())) {
+    setup = solid.initialize(c, interface, load, motion);
   }
   explicit ContactRun(const v1::Case& c)
       : ContactRun(
@@ -108,7 +110,7 @@ struct ContactRun {
   }
 
   void advance(double size = ContactScene::window) {
-    report = solid.advance({.index = windows++, .start = time, .size = size}, surface);
+    report = solid.advance({.index = windows++, .start = time, .size = size}, load, motion);
     time += size;
     notes.insert(notes.end(), report.notes.begin(), report.notes.end());
   }

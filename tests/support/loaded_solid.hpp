@@ -13,16 +13,18 @@ namespace cosurge::test {
 struct LoadedSolid {
   SolidParticipant solid;
   Interface interface;
-  Surface surface;
+  InterfaceMotion motion;
+  InterfaceLoad load;
   Setup setup;
   std::uint64_t windows = 0;
   double time = 0;
 
-  LoadedSolid(const v1::Case& c, const Interface& points) : interface(points) {
-    setup = solid.initialize(c, interface, surface);
+  LoadedSolid(const v1::Case& c, const Interface& points)
+      : interface(points), load(InterfaceLoad::zero(c.dimension(), points.points())) {
+    setup = solid.initialize(c, interface, load, motion);
   }
   Report advance(double size) {
-    Report report = solid.advance({.index = windows++, .start = time, .size = size}, surface);
+    Report report = solid.advance({.index = windows++, .start = time, .size = size}, load, motion);
     time += size;
     return report;
   }

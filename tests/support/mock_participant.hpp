@@ -16,32 +16,17 @@
 
 namespace cosurge::testing {
 
-/// Every call can be replaced. Its memory must be in `state`, which save() and restore() copy.
-class MockParticipant : public Participant {
+/// Its memory must be in `state`, which save() and restore() copy.
+class MockParticipant : public virtual Participant {
  public:
-  explicit MockParticipant(Role role)
-      : who{role,
-            std::string("mock_") + (role == Role::fluid ? "fluid" : "solid"),
-            "0.1.0",
-            {2, 3},
-            {"save", "frame"}} {}
+  explicit MockParticipant(const std::string& program) : who{program, "0.1.0", {2, 3}, {"save", "frame"}} {}
 
   Identity who;
   std::vector<double> state;
   std::vector<double> remembered;  // at the start of a window that may be gone through again
-  std::function<Setup(const v1::Case&, Interface&, Surface&)> on_initialize;
-  std::function<Report(const Window&, Surface&)> on_advance;
   std::function<void()> on_finalize = [] {};
 
   Identity identity() const override { return who; }
-  Setup initialize(const v1::Case& the_case, Interface& interface, Surface& surface) override {
-    return on_initialize(the_case, interface, surface);
-  }
-  Report advance(const Window& window, Surface& surface) override {
-    if (window.attempt == 1) remembered = state;
-    if (window.attempt > 1) std::copy(remembered.begin(), remembered.end(), state.begin());
-    return on_advance(window, surface);
-  }
   std::string save() override {
     return {reinterpret_cast<const char*>(state.data()), state.size() * sizeof(double)};
   }
@@ -54,6 +39,48 @@ class MockParticipant : public Participant {
     return {{.name = "state", .unit = "-", .components = 1, .values = {state.begin(), state.end()}}};
   }
   void finalize() override { on_finalize(); }
+
+ protected:
+  void enter(const Window& window) {
+    if (window.attempt == Attempt::first) remembered = state;
+    if (window.attempt == Attempt::again) std::copy(remembered.begin(), remembered.end(), state.begin());
+  }
+};
+
+/// Every call can be replaced.
+class MockFluid : public Fluid, public MockParticipant {
+ public:
+  MockFluid() : MockParticipant("mock_fluid") {}
+
+  std::function<Setup(const v1::Case&, Interface&, InterfaceLoad&)> on_initialize;
+  std::function<Report(const Window&, const InterfaceMotion&, InterfaceLoad&)> on_advance;
+
+  Setup initialize(const v1::Case& the_case, Interface& interface, InterfaceLoad& load) override {
+    return on_initialize(the_case, interface, load);
+  }
+  Report advance(const Window& window, const InterfaceMotion& motion, InterfaceLoad& load) override {
+    enter(window);
+    return on_advance(window, motion, load);
+  }
+};
+
+/// The same for a structure.
+class MockSolid : public Solid, public MockParticipant {
+ public:
+  MockSolid() : MockParticipant("mock_solid") {}
+
+  std::function<Setup(const v1::Case&, const Interface&, const InterfaceLoad&, InterfaceMotion&)>
+      on_initialize;
+  std::function<Report(const Window&, const InterfaceLoad&, InterfaceMotion&)> on_advance;
+
+  Setup initialize(const v1::Case& the_case, const Interface& interface, const InterfaceLoad& load,
+                   InterfaceMotion& motion) override {
+    return on_initialize(the_case, interface, load, motion);
+  }
+  Report advance(const Window& window, const InterfaceLoad& load, InterfaceMotion& motion) override {
+    enter(window);
+    return on_advance(window, load, motion);
+  }
 };
 
 /// A column of incompressible water on a piston of unit area, the test bed with an exact answer: the added
@@ -78,10 +105,10 @@ struct Piston {
 
 /// The water: pressure density * height * (gravity + a), where a is the piston's acceleration, from the
 /// change of its mean velocity from window to window. State: the last mean velocity.
-inline std::unique_ptr<MockParticipant> water_column(const Piston& piston) {
-  auto fluid = std::make_unique<MockParticipant>(Role::fluid);
+inline std::unique_ptr<MockFluid> water_column(const Piston& piston) {
+  auto fluid = std::make_unique<MockFluid>();
   fluid->state = {0};
-  fluid->on_initialize = [piston](const v1::Case& the_case, Interface& interface, Surface& surface) {
+  fluid->on_initialize = [piston](const v1::Case& the_case, Interface& interface, InterfaceLoad& load) {
     const int dimension = the_case.dimension();
     interface = {.dimension = dimension,
                  .position = Field::Zero(dimension, piston.points),
@@ -89,21 +116,22 @@ inline std::unique_ptr<MockParticipant> water_column(const Piston& piston) {
                  .body = std::vector<int>(static_cast<std::size_t>(piston.points), 0)};
     interface.position.row(0).setLinSpaced(0.5 / piston.points, 1 - 0.5 / piston.points);
     interface.area.row(1).setConstant(1.0 / piston.points);
-    surface = Surface::at_rest(dimension, piston.points);
+    load = InterfaceLoad::zero(dimension, piston.points);
     return Setup{.columns = {{"pressure", "Pa"}}, .particles = 1, .window = 1, .substep = 0};
   };
-  fluid->on_advance = [piston, &last = fluid->state[0]](const Window& window, Surface& surface) {
-    const double velocity = surface.velocity.row(1).mean();
+  fluid->on_advance = [piston, &last = fluid->state[0]](const Window& window, const InterfaceMotion& motion,
+                                                        InterfaceLoad& load) {
+    const double velocity = motion.velocity.row(1).mean();
     double pressure = piston.added_mass() * (piston.gravity + (velocity - last) / window.size);
     last = velocity;
-    for (const Mode& mode : surface.modes) {  // one at most: f = f0 - m_a s (f - load) / dt
+    for (const Mode& mode : motion.modes) {  // one at most: f = f0 - m_a s (f - load) / dt
       const double answer = piston.added_mass() * mode.mobility / window.size;
-      const double load = (-pressure + answer * mode.load) / (1 + answer);
-      last = velocity + mode.mobility * (load - mode.load);
-      pressure = -load;
+      const double of_mode = (-pressure + answer * mode.load) / (1 + answer);
+      last = velocity + mode.mobility * (of_mode - mode.load);
+      pressure = -of_mode;
     }
-    surface.pressure.setConstant(pressure);
-    surface.force.row(1).setConstant(-pressure / piston.points);
+    load.pressure.setConstant(pressure);
+    load.force.row(1).setConstant(-pressure / piston.points);
     return Report{.values = {pressure}, .window = 1};
   };
   return fluid;
@@ -111,35 +139,36 @@ inline std::unique_ptr<MockParticipant> water_column(const Piston& piston) {
 
 /// The piston: sub-cycles of symplectic Euler under the load of the window. State: height, velocity, and the
 /// load of the last window.
-inline std::unique_ptr<MockParticipant> sprung_piston(const Piston& piston) {
-  auto solid = std::make_unique<MockParticipant>(Role::solid);
+inline std::unique_ptr<MockSolid> sprung_piston(const Piston& piston) {
+  auto solid = std::make_unique<MockSolid>();
   solid->state = {0, 0, 0};
-  solid->on_initialize = [](const v1::Case& the_case, Interface& interface, Surface& surface) {
-    surface = Surface::at_rest(the_case.dimension(), interface.points());
+  solid->on_initialize = [](const v1::Case& the_case, const Interface& interface, const InterfaceLoad&,
+                            InterfaceMotion& motion) {
+    motion = InterfaceMotion::at_rest(the_case.dimension(), interface.points());
     return Setup{.columns = {{"height", "m"}}, .particles = 1, .window = 1, .substep = 0};
   };
   solid->on_advance = [piston, &y = solid->state[0], &v = solid->state[1], &last = solid->state[2]](
-                          const Window& window, Surface& surface) {
+                          const Window& window, const InterfaceLoad& load, InterfaceMotion& motion) {
     const double before = y;
     const double dt = window.size / piston.substeps;
-    const double load = surface.force.row(1).sum();
+    const double force = load.force.row(1).sum();
     double late = 0;
     for (int k = 0; k < piston.substeps; ++k) {
       const double s = (k + 0.5) / piston.substeps;
-      const double now = piston.ramped ? last + s * (load - last) : load;
+      const double now = piston.ramped ? last + s * (force - last) : force;
       v += dt * (now - piston.stiffness * y) / piston.mass;
       y += dt * v;
       late += s * dt * v;
     }
-    last = load;
-    surface.displacement.row(1).setConstant(y);
-    surface.velocity.row(1).setConstant(piston.end_velocity ? v : (y - before) / window.size);
-    surface.ramp_increment.row(1).setConstant(piston.ramped ? late : 0);
-    surface.modes.clear();
-    if (piston.tells_mode && window.attempt == 1) {
-      Field shape = Field::Zero(surface.velocity.rows(), surface.velocity.cols());
+    last = force;
+    motion.displacement.row(1).setConstant(y);
+    motion.velocity.row(1).setConstant(piston.end_velocity ? v : (y - before) / window.size);
+    motion.ramp_increment.row(1).setConstant(piston.ramped ? late : 0);
+    motion.modes.clear();
+    if (piston.tells_mode && window.attempt == Attempt::first) {
+      Field shape = Field::Zero(motion.velocity.rows(), motion.velocity.cols());
       shape.row(1).setOnes();
-      surface.modes.push_back({.shape = shape, .mobility = window.size / piston.mass, .load = load});
+      motion.modes.push_back({.shape = shape, .mobility = window.size / piston.mass, .load = force});
     }
     return Report{.values = {y}, .window = 1};
   };

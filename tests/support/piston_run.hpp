@@ -24,7 +24,8 @@ class PressureHistory : public Observer {
 
 /// `count` windows with the words of the coupling, on both sides of the seam.
 struct PistonRun {
-  std::unique_ptr<MockParticipant> fluid, solid;
+  std::unique_ptr<MockFluid> fluid;
+  std::unique_ptr<MockSolid> solid;
   v1::Case the_case = piston_case();
   std::unique_ptr<Coupler> coupler;
   PressureHistory history;

@@ -60,15 +60,16 @@ Plate::Plate(const PlateCase& from) {
         l0 * (static_cast<double>(row) + 0.5);
   }
   interface_.body.assign(static_cast<std::size_t>(rows * columns), 0);
-  setup_ = solid_.initialize(from.make(), interface_, surface_);
+  load_ = InterfaceLoad::zero(2, points());
+  setup_ = solid_.initialize(from.make(), interface_, load_, motion_);
 }
 
 void Plate::advance(double window, const Load& load) {
   for (Eigen::Index p = 0; p < points(); ++p) {
     const Vec<2> force = load({interface_.position(0, p), interface_.position(1, p)});
-    surface_.force.col(p) << force[0], force[1];
+    load_.force.col(p) << force[0], force[1];
   }
-  report_ = solid_.advance({.index = windows_++, .start = time_, .size = window}, surface_);
+  report_ = solid_.advance({.index = windows_++, .start = time_, .size = window}, load_, motion_);
   time_ += window;
 }
 

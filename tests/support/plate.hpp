@@ -49,7 +49,8 @@ class Plate {
  private:
   SolidParticipant solid_;
   Interface interface_;
-  Surface surface_;
+  InterfaceMotion motion_;
+  InterfaceLoad load_;
   Setup setup_;
   Report report_;
   double time_ = 0;

@@ -26,13 +26,14 @@ inline v1::Request initialize_request(std::uint64_t sequence) {
   return request;
 }
 
-inline v1::Request advance_request(std::uint64_t sequence, const Surface& surface, std::uint64_t window = 0) {
+inline v1::Request advance_request(std::uint64_t sequence, const InterfaceMotion& motion,
+                                   std::uint64_t window = 0) {
   v1::Request request;
   request.set_sequence(sequence);
   const double size = 1e-4;
   encode(Window{.index = window, .start = static_cast<double>(window) * size, .size = size},
          *request.mutable_advance()->mutable_window());
-  encode_motion(surface, *request.mutable_advance()->mutable_motion());
+  encode(motion, *request.mutable_advance()->mutable_motion());
   return request;
 }
 

@@ -21,8 +21,9 @@ struct History {
 History run(const v1::Case& c) {
   SolidParticipant solid;
   Interface no_water;
-  Surface surface;
-  const Setup setup = solid.initialize(c, no_water, surface);
+  InterfaceMotion motion;
+  const InterfaceLoad load = InterfaceLoad::zero(2, 0);
+  const Setup setup = solid.initialize(c, no_water, load, motion);
   const auto column = [&](const std::string& name) {
     return std::find_if(setup.columns.begin(), setup.columns.end(),
                         [&](const Column& one) { return one.name == name; }) -
@@ -34,7 +35,7 @@ History run(const v1::Case& c) {
   const auto windows = static_cast<std::uint64_t>(std::lround(c.time().end() / history.window));
   for (std::uint64_t k = 0; k < windows; ++k) {
     const Report report = solid.advance(
-        {.index = k, .start = static_cast<double>(k) * history.window, .size = history.window}, surface);
+        {.index = k, .start = static_cast<double>(k) * history.window, .size = history.window}, load, motion);
     const auto at = [&](auto i) { return report.values.at(static_cast<std::size_t>(i)); };
     history.tip.push_back(at(tip));
     history.kinetic.push_back(at(kinetic));

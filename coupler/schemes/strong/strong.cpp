@@ -24,55 +24,56 @@ Strong::Strong(const v1::Coupling& coupling, Participants participants)
       prediction_(coupling.prediction()),
       relaxation_(make_relaxation(coupling.iteration())) {}
 
-Reports Strong::advance(const Window& window, Surface& surface, InterfaceAccount& account) {
-  account.open(surface);
-  const Surface start = surface;
+Reports Strong::advance(const Window& window, InterfaceState& interface, InterfaceAccount& account) {
+  account.open(interface);
+  const InterfaceState start = interface;
   if (inertial_) {
-    predict_motion(participants_, window, surface);
-    modes_ = std::move(surface.modes);
+    predict_motion(participants_, window, interface);
+    modes_ = std::move(interface.motion.modes);
   }
-  Field velocity = inertial_ ? surface.velocity : prediction_.next(start.velocity, window);
+  Field velocity = inertial_ ? interface.motion.velocity : prediction_.next(start.motion.velocity, window);
   Pass last, nearest;
   Reports reports;
   effort_ = {.iterations = 0, .residual = 0, .note = {}, .converged = false};
   while (!effort_.converged && effort_.iterations < iterations_) {
-    reports = pass(window, start, velocity, surface);
+    reports = pass(window, start, velocity, interface);
     const Pass now{.asked = velocity,
-                   .seen = velocity + velocity_of(modes_, surface.force),
-                   .answer = surface.velocity,
-                   .force = surface.force};
+                   .seen = velocity + velocity_of(modes_, interface.load.force),
+                   .answer = interface.motion.velocity,
+                   .force = interface.load.force};
     if (effort_.iterations > 1) learn(now, last);
-    effort_.residual = relative(now.residual(), scale_of(now.answer, start.velocity));
+    effort_.residual = relative(now.residual(), scale_of(now.answer, start.motion.velocity));
     effort_.converged = effort_.residual == 0 ||
                         (stiffness_ >= 0 && effort_.residual <= tolerance_ &&
-                         stiffness_ * now.residual() <= tolerance_ * scale_of(now.force, start.force));
+                         stiffness_ * now.residual() <= tolerance_ * scale_of(now.force, start.load.force));
     if (nearest.seen.size() == 0 || now.residual() < nearest.residual()) nearest = now;
     last = now;
     if (!effort_.converged)
       velocity.reshaped() = relaxation_->next(velocity.reshaped(), (now.answer - now.seen).reshaped());
   }
   if (!effort_.converged) {
-    reports = pass(window, start, nearest.asked, surface);
+    reports = pass(window, start, nearest.asked, interface);
     last = nearest;
   }
   relaxation_->end_window();
-  account.close(surface, last.seen, window);
-  prediction_.passed(start.velocity, window);
-  if (inertial_) ratio_.passed(surface.velocity, window);
+  account.close(interface, last.seen, window);
+  prediction_.passed(start.motion.velocity, window);
+  if (inertial_) ratio_.passed(interface.motion.velocity, window);
   return reports;
 }
 
-Reports Strong::pass(const Window& window, const Surface& start, const Field& velocity, Surface& surface) {
+Reports Strong::pass(const Window& window, const InterfaceState& start, const Field& velocity,
+                     InterfaceState& interface) {
   Window attempt = window;
-  attempt.attempt = static_cast<std::uint32_t>(++effort_.iterations);
-  surface = start;
-  surface.velocity = velocity;
-  surface.modes = modes_;
-  Reports reports = {participants_.fluid->advance(attempt, surface)};
-  if (inertial_) ++attempt.attempt;  // the first was the answer to the last load
-  reports.push_back(participants_.solid->advance(attempt, surface));
-  has_modes_ = has_modes_ || !surface.modes.empty();
-  surface.modes.clear();
+  attempt.attempt = ++effort_.iterations == 1 ? Attempt::first : Attempt::again;
+  interface = start;
+  interface.motion.velocity = velocity;
+  interface.motion.modes = modes_;
+  Reports reports = {participants_.fluid->advance(attempt, interface.motion, interface.load)};
+  if (inertial_) attempt.attempt = Attempt::again;  // the first was the answer to the last load
+  reports.push_back(participants_.solid->advance(attempt, interface.load, interface.motion));
+  has_modes_ = has_modes_ || !interface.motion.modes.empty();
+  interface.motion.modes.clear();
   return reports;
 }
 

@@ -22,7 +22,7 @@ class Strong : public Scheme {
  public:
   Strong(const v1::Coupling& coupling, Participants participants);
 
-  Reports advance(const Window& window, Surface& surface, InterfaceAccount& account) override;
+  Reports advance(const Window& window, InterfaceState& interface, InterfaceAccount& account) override;
 
   bool has_modes() const { return has_modes_; }  ///< whether the solid gives modes
 
@@ -40,7 +40,8 @@ class Strong : public Scheme {
     Field force;
     double residual() const { return (answer - seen).norm(); }
   };
-  Reports pass(const Window& window, const Surface& start, const Field& velocity, Surface& surface);
+  Reports pass(const Window& window, const InterfaceState& start, const Field& velocity,
+               InterfaceState& interface);
   void learn(const Pass& now, const Pass& last);
 
   double tolerance_;

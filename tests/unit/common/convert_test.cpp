@@ -17,106 +17,117 @@ using ::testing::ThrowsMessage;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-Surface random_surface(Eigen::Index points) {
-  Surface surface = Surface::at_rest(2, points);
+InterfaceMotion random_motion(Eigen::Index points) {
+  InterfaceMotion motion = InterfaceMotion::at_rest(2, points);
   std::srand(1);
-  surface.displacement.setRandom();
-  surface.velocity.setRandom();
-  surface.ramp_increment.setRandom();
-  surface.force.setRandom();
-  surface.pressure.setRandom();
-  return surface;
+  motion.displacement.setRandom();
+  motion.velocity.setRandom();
+  motion.ramp_increment.setRandom();
+  return motion;
 }
 
-TEST(Surface, ComesBackBitForBit) {
-  Surface sent = random_surface(30);
+InterfaceLoad random_load(Eigen::Index points) {
+  InterfaceLoad load = InterfaceLoad::zero(2, points);
+  std::srand(2);
+  load.force.setRandom();
+  load.pressure.setRandom();
+  return load;
+}
+
+TEST(InterfaceMotion, ComesBackBitForBit) {
+  InterfaceMotion sent = random_motion(30);
   sent.displacement(1, 4) = -0.0;
-  sent.force(0, 3) = std::numeric_limits<double>::denorm_min();
-  v1::Motion motion;
-  v1::Load load;
-  encode_motion(sent, motion);
-  encode_load(sent, load);
-  Surface received = Surface::at_rest(2, 30);
-  decode_motion(motion, received);
-  decode_load(load, received);
+  v1::Motion message;
+  encode(sent, message);
+  InterfaceMotion received = InterfaceMotion::at_rest(2, 30);
+  decode(message, received);
   EXPECT_EQ(received.displacement, sent.displacement);
   EXPECT_TRUE(std::signbit(received.displacement(1, 4)));
   EXPECT_EQ(received.velocity, sent.velocity);
   EXPECT_EQ(received.ramp_increment, sent.ramp_increment);
+}
+
+TEST(InterfaceLoad, ComesBackBitForBit) {
+  InterfaceLoad sent = random_load(30);
+  sent.force(0, 3) = std::numeric_limits<double>::denorm_min();
+  v1::Load message;
+  encode(sent, message);
+  InterfaceLoad received = InterfaceLoad::zero(2, 30);
+  decode(message, received);
   EXPECT_EQ(received.force, sent.force);
   EXPECT_EQ(received.pressure, sent.pressure);
 }
 
-TEST(Surface, CarriesModesBitForBitAndRefusesThoseThatAreNoNumbers) {
-  Surface sent = random_surface(4);
+TEST(InterfaceMotion, CarriesModesBitForBitAndRefusesThoseThatAreNoNumbers) {
+  InterfaceMotion sent = random_motion(4);
   sent.modes = {{.shape = Field::Random(2, 4), .mobility = 0.25, .load = -3},
                 {.shape = Field::Random(2, 4), .mobility = 0, .load = 0}};
   v1::Motion motion;
-  encode_motion(sent, motion);
-  Surface received = random_surface(4);
-  decode_motion(motion, received);
+  encode(sent, motion);
+  InterfaceMotion received = random_motion(4);
+  decode(motion, received);
   ASSERT_EQ(received.modes.size(), 2U);
   EXPECT_EQ(received.modes[0].shape, sent.modes[0].shape);
   EXPECT_EQ(received.modes[0].mobility, 0.25);
   EXPECT_EQ(received.modes[0].load, -3);
   motion.mutable_modes(1)->set_mobility(nan);
-  EXPECT_THAT([&] { decode_motion(motion, received); },
+  EXPECT_THAT([&] { decode(motion, received); },
               ThrowsMessage<Error>(HasSubstr("a mode has a mobility of nan")));
   sent.modes.clear();
-  encode_motion(sent, motion);
-  decode_motion(motion, received);
+  encode(sent, motion);
+  decode(motion, received);
   EXPECT_TRUE(received.modes.empty());
 }
 
-TEST(Surface, CarriesTheFrequencyAndRejectsNaNAndNegativeOnes) {
-  Surface sent = random_surface(4);
+TEST(InterfaceMotion, CarriesTheFrequencyAndRejectsNaNAndNegativeOnes) {
+  InterfaceMotion sent = random_motion(4);
   sent.frequency = 12.5;
   v1::Motion motion;
-  encode_motion(sent, motion);
-  Surface received = random_surface(4);
-  decode_motion(motion, received);
+  encode(sent, motion);
+  InterfaceMotion received = random_motion(4);
+  decode(motion, received);
   EXPECT_EQ(received.frequency, 12.5);
   for (const double wrong : {nan, -1.0}) {
     motion.set_frequency(wrong);
-    EXPECT_THAT([&] { decode_motion(motion, received); },
+    EXPECT_THAT([&] { decode(motion, received); },
                 ThrowsMessage<Error>(HasSubstr("must be finite and >= 0")));
   }
 }
 
-TEST(Surface, SparesTheRampIncrementWhereItIsZeroAndResetsItOnArrival) {
-  Surface sent = random_surface(3);
+TEST(InterfaceMotion, SparesTheRampIncrementWhereItIsZeroAndResetsItOnArrival) {
+  InterfaceMotion sent = random_motion(3);
   sent.ramp_increment.setZero();
   v1::Motion motion;
-  encode_motion(sent, motion);
+  encode(sent, motion);
   EXPECT_EQ(motion.ramp_increment_size(), 0);
-  Surface received = random_surface(3);
-  decode_motion(motion, received);
+  InterfaceMotion received = random_motion(3);
+  decode(motion, received);
   EXPECT_TRUE(received.ramp_increment.isZero(0));
 
   sent.ramp_increment(0, 0) = -0.0;
-  encode_motion(sent, motion);
+  encode(sent, motion);
   EXPECT_EQ(motion.ramp_increment_size(), 6);
 }
 
-TEST(Surface, NamesTheFieldAndThePointOfANumberThatIsNotFinite) {
-  Surface sent = random_surface(30);
+TEST(InterfaceLoad, NamesTheFieldAndThePointOfANumberThatIsNotFinite) {
+  InterfaceLoad sent = random_load(30);
   sent.force(1, 17) = nan;
-  v1::Load load;
-  encode_load(sent, load);
-  Surface received = Surface::at_rest(2, 30);
-  EXPECT_THAT([&] { decode_load(load, received); }, ThrowsMessage<Error>("force of point 17 is nan"));
+  v1::Load message;
+  encode(sent, message);
+  InterfaceLoad received = InterfaceLoad::zero(2, 30);
+  EXPECT_THAT([&] { decode(message, received); }, ThrowsMessage<Error>("force of point 17 is nan"));
 
-  sent = random_surface(30);
+  sent = random_load(30);
   sent.pressure[29] = infinity;
-  encode_load(sent, load);
-  EXPECT_THAT([&] { decode_load(load, received); }, ThrowsMessage<Error>("pressure of point 29 is inf"));
+  encode(sent, message);
+  EXPECT_THAT([&] { decode(message, received); }, ThrowsMessage<Error>("pressure of point 29 is inf"));
 }
 
-TEST(Surface, OfAnotherLengthIsRefused) {
+TEST(InterfaceMotion, OfAnotherLengthIsRefused) {
   v1::Motion motion;
-  encode_motion(random_surface(4), motion);
-  Surface received = Surface::at_rest(2, 5);
-  EXPECT_THAT([&] { decode_motion(motion, received); },
+  encode(random_motion(4), motion);
+  InterfaceMotion received = InterfaceMotion::at_rest(2, 5);
+  EXPECT_THAT([&] { decode(motion, received); },
               ThrowsMessage<Error>("displacement has 8 numbers instead of 2 x 5"));
 }
 
@@ -189,17 +200,17 @@ TEST(Snapshot, ComesBackAndMustHaveWholeParticlesOfFiniteNumbers) {
 }
 
 TEST(Identity, ComesBackAndHasARole) {
-  const Identity sent{Role::solid, "solid_solver", "0.1.0", {2, 3}, {"save"}};
+  const Identity sent{"solid_solver", "0.1.0", {2, 3}, {"save"}};
   v1::Hello message;
-  encode(sent, message);
+  encode(Role::solid, sent, message);
   const Identity received = decode(message);
-  EXPECT_EQ(received.role, Role::solid);
+  EXPECT_EQ(role_of(message), Role::solid);
   EXPECT_EQ(received.program, sent.program);
   EXPECT_EQ(received.version, sent.version);
   EXPECT_EQ(received.dimensions, sent.dimensions);
   EXPECT_EQ(received.capabilities, sent.capabilities);
   message.set_role(v1::ROLE_UNSPECIFIED);
-  EXPECT_THAT([&] { decode(message); }, ThrowsMessage<Error>("role 0 is neither fluid nor solid"));
+  EXPECT_THAT([&] { role_of(message); }, ThrowsMessage<Error>("role 0 is neither fluid nor solid"));
 }
 
 }  // namespace

@@ -60,8 +60,9 @@ int count_refusals(Attempt&& attempt) {
 }
 
 TEST(Fuzz, NoRequestCrashesOrHangsASolver) {
-  const std::vector<v1::Request> run = {testing::welcome_request(token), testing::initialize_request(2),
-                                        testing::advance_request(3, Surface::at_rest(2, piston.points))};
+  const std::vector<v1::Request> run = {
+      testing::welcome_request(token), testing::initialize_request(2),
+      testing::advance_request(3, InterfaceMotion::at_rest(2, piston.points))};
   const int refused = count_refusals([&](Random& random) {
     const auto fluid = testing::water_column(piston);
     auto [coupler, solver] = Channel::pair({.peer = "solver"}, {.peer = "coupler", .patience = 5});
@@ -83,7 +84,7 @@ std::vector<v1::Reply> legal_replies() {
   std::vector<v1::Reply> replies = {service.hello()};
   replies.push_back(service.answer(testing::welcome_request(token)));
   replies.push_back(service.answer(testing::initialize_request(2)));
-  replies.push_back(service.answer(testing::advance_request(3, Surface::at_rest(2, piston.points))));
+  replies.push_back(service.answer(testing::advance_request(3, InterfaceMotion::at_rest(2, piston.points))));
   return replies;
 }
 
@@ -95,13 +96,15 @@ TEST(Fuzz, NoReplyCrashesOrHangsTheCoupler) {
     for (std::size_t k = 0; k < run.size(); ++k) {
       k == broken ? solver.send_bytes(mutilated(run[k].SerializeAsString(), random)) : solver.send(run[k]);
     }
-    RemoteParticipant fluid(std::move(coupler),
-                            {.role = Role::fluid, .token = token, .dimension = 2, .capabilities = {}});
+    RemoteFluid fluid(std::move(coupler),
+                      {.role = Role::fluid, .token = token, .dimension = 2, .capabilities = {}});
     Interface interface;
-    Surface surface;
-    fluid.initialize(testing::piston_case(), interface, surface);
-    fluid.advance({.index = 0, .start = 0, .size = 1e-4}, surface);
-    ASSERT_TRUE(surface.force.allFinite());
+    InterfaceMotion motion;
+    InterfaceLoad load;
+    fluid.initialize(testing::piston_case(), interface, load);
+    motion = InterfaceMotion::at_rest(2, interface.points());
+    fluid.advance({.index = 0, .start = 0, .size = 1e-4}, motion, load);
+    ASSERT_TRUE(load.force.allFinite());
   });
   // A changed byte may fall into a number or a name and leave a right message; a third of the rounds changes
   // bytes.

@@ -92,9 +92,9 @@ TEST(WireWords, HaveNoControlCharactersAndAnEnd) {
 
 TEST(Modes, BeyondAThousandAreRefused) {
   v1::Motion motion;
-  Surface surface = Surface::at_rest(2, 0);
+  InterfaceMotion received = InterfaceMotion::at_rest(2, 0);
   for (int k = 0; k < 1001; ++k) motion.add_modes();
-  EXPECT_THAT([&] { decode_motion(motion, surface); },
+  EXPECT_THAT([&] { decode(motion, received); },
               ThrowsMessage<Error>(HasSubstr("1001 modes, must be <= 1000")));
 }
 

@@ -32,7 +32,7 @@ v1::Request request_of(v1::Request::CallCase call, std::uint64_t sequence) {
       request = testing::initialize_request(sequence);
       break;
     case v1::Request::kAdvance:
-      request = testing::advance_request(sequence, Surface::at_rest(2, piston.points));
+      request = testing::advance_request(sequence, InterfaceMotion::at_rest(2, piston.points));
       break;
     case v1::Request::kSave:
       request.mutable_save();
@@ -65,7 +65,7 @@ class ServiceTest : public ::testing::Test {
     ASSERT_EQ(service.state(), state);
   }
 
-  std::unique_ptr<testing::MockParticipant> fluid = testing::water_column(piston);
+  std::unique_ptr<testing::MockFluid> fluid = testing::water_column(piston);
   Service service{*fluid, token};
   std::uint64_t sequence = 0;
 };
@@ -136,9 +136,9 @@ TEST_F(ServiceTest, RefusesARequestOutOfSequence) {
 
 TEST_F(ServiceTest, RefusesWrongInputAndNamesCallWindowFieldAndPoint) {
   bring_to(State::running);
-  Surface surface = Surface::at_rest(2, piston.points);
-  surface.velocity(1, 3) = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THAT([&] { service.answer(testing::advance_request(3, surface, 212)); },
+  InterfaceMotion motion = InterfaceMotion::at_rest(2, piston.points);
+  motion.velocity(1, 3) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT([&] { service.answer(testing::advance_request(3, motion, 212)); },
               ThrowsMessage<Error>("velocity of point 3 is nan [advance, window 212 (t = 0.0212 s)]"));
 }
 
@@ -159,10 +159,10 @@ TEST_F(ServiceTest, RefusesALoadForTheFluid) {
 
 TEST_F(ServiceTest, GoesThroughAWindowAgainFromItsStart) {
   bring_to(State::running);
-  Surface surface = Surface::at_rest(2, piston.points);
+  InterfaceMotion motion = InterfaceMotion::at_rest(2, piston.points);
   const auto pressure = [&](double velocity, std::uint32_t attempt) {
-    surface.velocity.row(1).setConstant(velocity);
-    v1::Request request = testing::advance_request(++sequence, surface, 7);
+    motion.velocity.row(1).setConstant(velocity);
+    v1::Request request = testing::advance_request(++sequence, motion, 7);
     request.mutable_advance()->mutable_window()->set_attempt(attempt);
     return service.answer(request).advanced().load().pressure(0);
   };
@@ -172,9 +172,9 @@ TEST_F(ServiceTest, GoesThroughAWindowAgainFromItsStart) {
 }
 
 TEST_F(ServiceTest, RefusesAnotherAttemptAtAWindowWhoseStartIsNotRemembered) {
-  const Surface surface = Surface::at_rest(2, piston.points);
+  const InterfaceMotion motion = InterfaceMotion::at_rest(2, piston.points);
   const auto attempt = [&](std::uint64_t window, std::uint32_t number) {
-    v1::Request request = testing::advance_request(++sequence, surface, window);
+    v1::Request request = testing::advance_request(++sequence, motion, window);
     request.mutable_advance()->mutable_window()->set_attempt(number);
     return [&, request] { service.answer(request); };
   };
@@ -187,14 +187,14 @@ TEST_F(ServiceTest, RefusesAnotherAttemptAtAWindowWhoseStartIsNotRemembered) {
 
 TEST_F(ServiceTest, RefusesASecondAttemptWithoutAFirst) {
   bring_to(State::running);
-  v1::Request request = testing::advance_request(3, Surface::at_rest(2, piston.points));
+  v1::Request request = testing::advance_request(3, InterfaceMotion::at_rest(2, piston.points));
   request.mutable_advance()->mutable_window()->set_attempt(2);
   EXPECT_THAT([&] { service.answer(request); }, ThrowsMessage<Error>(HasSubstr("attempt 2")));
 }
 
 TEST_F(ServiceTest, PassesOnWhatTheParticipantThrowsWithItsPlaceAndKind) {
   bring_to(State::running);
-  fluid->on_advance = [](const Window&, Surface&) -> Report {
+  fluid->on_advance = [](const Window&, const InterfaceMotion&, InterfaceLoad&) -> Report {
     throw NumericalError("the pressure diverges");
   };
   EXPECT_THAT([&] { ask(v1::Request::kAdvance); },
@@ -234,7 +234,7 @@ auto serving(Participant& fluid, Channel& channel) {
 
 TEST(Serve, TellsTheCouplerWhatItThrows) {
   const auto fluid = testing::water_column(piston);
-  fluid->on_initialize = [](const v1::Case&, Interface&, Surface&) -> cosurge::Setup {
+  fluid->on_initialize = [](const v1::Case&, Interface&, InterfaceLoad&) -> cosurge::Setup {
     throw NumericalError("no lattice fits");
   };
   auto [coupler, solver] =

@@ -61,10 +61,10 @@ TEST(AutomaticCoupling, KeepsNothingOfTheWindowsInWhichWeakBecameUnstable) {
     under_heavy_water.end_velocity = true;
     auto other = testing::sprung_piston(under_heavy_water);
     run.solid->on_advance = [=, &state = run.solid->state, heavy = std::shared_ptr(std::move(other))](
-                                const Window& window, Surface& surface) {
-      if (window.index < light) return with_light_water(window, surface);
+                                const Window& window, const InterfaceLoad& load, InterfaceMotion& motion) {
+      if (window.index < light) return with_light_water(window, load, motion);
       heavy->state = state;
-      const Report report = heavy->on_advance(window, surface);
+      const Report report = heavy->on_advance(window, load, motion);
       state = heavy->state;
       return report;
     };

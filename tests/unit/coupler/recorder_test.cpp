@@ -43,19 +43,11 @@ v1::Case recorded_case() {
 
 std::vector<Member> recorded_members() {
   return {{.name = "fluid",
-           .identity = {.role = Role::fluid,
-                        .program = "mock_fluid",
-                        .version = "1.2.3",
-                        .dimensions = {2},
-                        .capabilities = {}},
+           .identity = {.program = "mock_fluid", .version = "1.2.3", .dimensions = {2}, .capabilities = {}},
            .setup = {.columns = {{"lost", "-"}, {"seconds_solve", "s"}, {"cpu_seconds", "s"}, {"P01", "Pa"}},
                      .particles = water_particles}},
           {.name = "solid",
-           .identity = {.role = Role::solid,
-                        .program = "mock_solid",
-                        .version = "1.2.3",
-                        .dimensions = {2},
-                        .capabilities = {}},
+           .identity = {.program = "mock_solid", .version = "1.2.3", .dimensions = {2}, .capabilities = {}},
            .setup = {.columns = {{"substeps", "-"}, {"interface_work", "J"}, {"tip_x", "m"}, {"tip_y", "m"}},
                      .particles = 3}}};
 }

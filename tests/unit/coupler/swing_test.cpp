@@ -44,9 +44,10 @@ TEST(Swing, DoesNotTakeNoiseThatGrowsForAnInstability) {
   PistonRun run(piston, coupling, 1e-3 / piston.wet_frequency());
   std::mt19937 random(3);
   std::normal_distribution<double> noise;
-  run.fluid->on_advance = [&, water = run.fluid->on_advance](const Window& window, Surface& surface) {
-    const Report report = water(window, surface);
-    surface.force.row(1).array() += (window.index < 100 ? 1 : 10) * noise(random);
+  run.fluid->on_advance = [&, water = run.fluid->on_advance](
+                              const Window& window, const InterfaceMotion& motion, InterfaceLoad& load) {
+    const Report report = water(window, motion, load);
+    load.force.row(1).array() += (window.index < 100 ? 1 : 10) * noise(random);
     return report;
   };
   Swing swing(*run.coupler);

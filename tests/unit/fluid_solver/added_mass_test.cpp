@@ -52,14 +52,15 @@ TEST(AddedMassOfAFloor, IsTheMassOfTheColumnAboveAndTheLoadAgreesWithTheAnswer) 
   const v1::Solid floor = test::solid_of(test::box_of({0, 0}, {0.1, 0.02}));
   for (const double dt : {1e-3, 4e-3}) {
     auto mps = test::mps_of<2>(fluid, &floor, Vec<2>(0, -9.81));
-    Surface surface = Surface::at_rest(2, mps.bodies().points());
+    InterfaceMotion motion = InterfaceMotion::at_rest(2, mps.bodies().points());
+    InterfaceLoad load = InterfaceLoad::zero(2, mps.bodies().points());
     Field up = Field::Zero(2, mps.bodies().points());
     up.row(1).setOnes();
     const double predicted = -rho_h * 9.81;
     mps.set_modes({{.shape = up, .mobility = dt / mass, .load = predicted}});
     // Predicted: that the floor falls with the water above, under a load as if it did not.
-    surface.velocity.row(1).setConstant(-9.81 * dt);
-    mps.move_bodies(surface.displacement, surface.velocity);
+    motion.velocity.row(1).setConstant(-9.81 * dt);
+    mps.move_bodies(motion.displacement, motion.velocity);
     (void)mps.step(0, dt);
     // alpha makes the pressure fade over c dt = dt / sqrt(rho alpha): p'' = p / (c dt)^2.
     const double reach = sound * dt;
@@ -69,9 +70,9 @@ TEST(AddedMassOfAFloor, IsTheMassOfTheColumnAboveAndTheLoadAgreesWithTheAnswer) 
     EXPECT_NEAR(mps.added_mass().ratio(), added / mass, 0.05 * added / mass) << dt;
     // The pressure of free fall is zero, so the load is caused by the response alone: f = -m_a c and
     // c = (f - predicted) / m.
-    mps.load(surface);
+    mps.load(load);
     const double found = mass * mps.added_mass().ratio();
-    EXPECT_NEAR(surface.force.row(1).sum(), predicted * found / (mass + found), 0.01 * std::abs(predicted))
+    EXPECT_NEAR(load.force.row(1).sum(), predicted * found / (mass + found), 0.01 * std::abs(predicted))
         << dt;
   }
 }
@@ -84,24 +85,25 @@ TEST(AddedMassOfAFloor, GivesTheLoadOfTheMotionThatItCausesAlsoWhileTheModesPres
   const v1::Solid floor = test::solid_of(test::box_of({0, 0}, {0.1, 0.02}));
   auto coupled = test::mps_of<2>(fluid, &floor, {0, -9.81});
   auto told = test::mps_of<2>(fluid, &floor, {0, -9.81});
-  Surface surface = Surface::at_rest(2, coupled.bodies().points());
+  InterfaceMotion motion = InterfaceMotion::at_rest(2, coupled.bodies().points());
+  InterfaceLoad load = InterfaceLoad::zero(2, coupled.bodies().points());
   Field up = Field::Zero(2, coupled.bodies().points());
   up.row(1).setOnes();
   for (int k = 0; k < 6; ++k) {  // the mode's pressure is solved for in the first and the fifth window
     told.restore(coupled.save());
-    surface.velocity.row(1).setConstant(0.1 * dt);
+    motion.velocity.row(1).setConstant(0.1 * dt);
     coupled.set_modes({{.shape = up, .mobility = dt / mass, .load = weight}});
-    coupled.move_bodies(surface.displacement, surface.velocity);
+    coupled.move_bodies(motion.displacement, motion.velocity);
     (void)coupled.step(k * dt, dt);
-    coupled.load(surface);
-    const double load = surface.force.row(1).sum();
+    coupled.load(load);
+    const double force = load.force.row(1).sum();
 
-    surface.velocity.row(1).array() += dt / mass * (load - weight);
-    told.move_bodies(surface.displacement, surface.velocity);
+    motion.velocity.row(1).array() += dt / mass * (force - weight);
+    told.move_bodies(motion.displacement, motion.velocity);
     (void)told.step(k * dt, dt);
-    told.load(surface);
+    told.load(load);
     // The added mass is ten times the mass and multiplies what is left of the residual, 1e-3.
-    EXPECT_NEAR(surface.force.row(1).sum(), load, 0.02 * std::abs(weight)) << k;
+    EXPECT_NEAR(load.force.row(1).sum(), force, 0.02 * std::abs(weight)) << k;
   }
 }
 

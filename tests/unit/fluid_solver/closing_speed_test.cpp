@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "fluid_solver/mps.hpp"
@@ -40,10 +41,10 @@ class DrivenBox : public testing::Test {
  protected:
   /// Speed at which the box, moved at `body`, closes on water that moves at `water`.
   double closes(const Vec<2>& body, const Vec<2>& water, bool clamped = false) const {
-    const v1::Fluid fluid =
-        test::tank_of_water(l0, box_of({0, 0}, {0.6, 0.6}), {box_of({0, 0}, {0.6, 0.2})});
+    const v1::Fluid fluid = test::tank_of_water(l0, box_of({0, 0}, {0.6, 0.6}), {box_of({0, 0}, {0.6, 0.2})});
     const v1::Box box = box_of({0.2, 0.2}, {0.4, 0.3});
-    const v1::Solid solid = clamped ? test::solid_of(box, {box_of({0.2, 0.3}, {0.4, 0.34})}) : test::solid_of(box, {});
+    const v1::Solid solid =
+        clamped ? test::solid_of(box, {box_of({0.2, 0.3}, {0.4, 0.34})}) : test::solid_of(box, {});
     auto mps = test::mps_of<2>(fluid, &solid, {0, 0});
     Particles<2> particles = mps.particles();
     std::vector<std::int32_t> place(static_cast<std::size_t>(mps.bodies().points()));

@@ -21,11 +21,10 @@ std::vector<double> loads(const v1::Fluid& fluid, const v1::Solid& solid) {
   auto mps = test::mps_of<2>(fluid, &solid, {0, -g});
   const int points = mps.bodies().points();
   (void)mps.step(0, 1e-5);
-  Surface surface = Surface::at_rest(2, points);
-  mps.load(surface);
+  InterfaceLoad load = InterfaceLoad::zero(2, points);
+  mps.load(load);
   std::vector<double> sums(static_cast<std::size_t>(solid.body_size()), 0.0);
-  for (int k = 0; k < points; ++k)
-    sums[static_cast<std::size_t>(mps.bodies().body(k))] += surface.force(0, k);
+  for (int k = 0; k < points; ++k) sums[static_cast<std::size_t>(mps.bodies().body(k))] += load.force(0, k);
   return sums;
 }
 

@@ -16,14 +16,14 @@ constexpr double g = 9.81;
 
 /// Load on a body, and the pressures on its faces, as the first step finds them in water at rest.
 template <int dim>
-Surface load_at_rest(const v1::Fluid& fluid, const v1::Solid& solid, const Mps<dim>*& kept,
-                     std::unique_ptr<Mps<dim>>& mps) {
+InterfaceLoad load_at_rest(const v1::Fluid& fluid, const v1::Solid& solid, const Mps<dim>*& kept,
+                           std::unique_ptr<Mps<dim>>& mps) {
   mps = std::make_unique<Mps<dim>>(test::mps_of<dim>(fluid, &solid, -g * Vec<dim>::Unit(dim - 1)));
   (void)mps->step(0, 1e-5);
-  Surface surface = Surface::at_rest(dim, mps->bodies().points());
-  mps->load(surface);
+  InterfaceLoad load = InterfaceLoad::zero(dim, mps->bodies().points());
+  mps->load(load);
   kept = mps.get();
-  return surface;
+  return load;
 }
 
 /// Buoyancy of a box of 0.2 m x 0.1 m that sits 0.05 m deep, divided by Archimedes' value.
@@ -36,9 +36,9 @@ double buoyancy(int spacings_of_draught) {
   const v1::Solid solid = solid_of(box_of({0.2, 0.15}, {0.4, 0.25}));
   const Mps<2>* water = nullptr;
   std::unique_ptr<Mps<2>> mps;
-  const Surface surface = load_at_rest<2>(fluid, solid, water, mps);
-  EXPECT_NEAR(surface.force.row(0).sum(), 0, 1e-3);
-  return surface.force.row(1).sum() / (1000 * g * 0.2 * 0.05);
+  const InterfaceLoad load = load_at_rest<2>(fluid, solid, water, mps);
+  EXPECT_NEAR(load.force.row(0).sum(), 0, 1e-3);
+  return load.force.row(1).sum() / (1000 * g * 0.2 * 0.05);
 }
 
 // First step, on the lattice, whose surface is a quarter of a spacing high (open_surface_test.cpp).
@@ -56,8 +56,8 @@ TEST(FaceLoad, ASunkBoxIsLiftedByItsVolumeOfWaterWhateverItsShape) {
     const v1::Solid solid = solid_of(box_of({0.16, 0.1}, {0.22, 0.1 + height}));
     const Mps<2>* water = nullptr;
     std::unique_ptr<Mps<2>> mps;
-    const Surface surface = load_at_rest<2>(fluid, solid, water, mps);
-    EXPECT_NEAR(surface.force.row(1).sum(), 1000 * g * 0.06 * height, 0.01 * 1000 * g * 0.06 * height);
+    const InterfaceLoad load = load_at_rest<2>(fluid, solid, water, mps);
+    EXPECT_NEAR(load.force.row(1).sum(), 1000 * g * 0.06 * height, 0.01 * 1000 * g * 0.06 * height);
   }
 }
 
@@ -68,7 +68,7 @@ TEST(FaceLoad, ThePressureThatAFaceHasIsThatOfItsDepth) {
   const v1::Solid solid = solid_of(box_of({0.16, 0.1}, {0.22, 0.16}));
   const Mps<2>* water = nullptr;
   std::unique_ptr<Mps<2>> mps;
-  const Surface surface = load_at_rest<2>(fluid, solid, water, mps);
+  const InterfaceLoad load = load_at_rest<2>(fluid, solid, water, mps);
   const Interface interface = water->bodies().interface();
   int faces = 0;
   for (Eigen::Index k = 0; k < interface.points(); ++k) {
@@ -76,7 +76,7 @@ TEST(FaceLoad, ThePressureThatAFaceHasIsThatOfItsDepth) {
     if (area[0] != 0 || area[1] == 0) continue;  // top or bottom, away from corners
     ++faces;
     const double face = interface.position(1, k) + (area[1] > 0 ? 0.5 : -0.5) * l0;
-    EXPECT_NEAR(surface.pressure[k], 1000 * g * (0.3 - face), 0.3 * 1000 * g * l0);
+    EXPECT_NEAR(load.pressure[k], 1000 * g * (0.3 - face), 0.3 * 1000 * g * l0);
   }
   EXPECT_EQ(faces, 8);
 }

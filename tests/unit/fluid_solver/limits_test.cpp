@@ -27,12 +27,13 @@ TEST(MpsSuction, ReachesDownToTheLowestPressureOfTheCase) {
     fluid.set_source(v1::Fluid::mixed);
     fluid.set_lowest_pressure(lowest);
     auto mps = test::mps_of<2>(fluid, &floor, down);
-    Surface surface = Surface::at_rest(2, mps.bodies().points());
-    surface.velocity.row(1).setConstant(-3 * g * dt);
-    mps.move_bodies(surface.displacement, surface.velocity);
+    InterfaceMotion motion = InterfaceMotion::at_rest(2, mps.bodies().points());
+    InterfaceLoad load = InterfaceLoad::zero(2, mps.bodies().points());
+    motion.velocity.row(1).setConstant(-3 * g * dt);
+    mps.move_bodies(motion.displacement, motion.velocity);
     (void)mps.step(0, dt);
-    mps.load(surface);
-    return surface.pressure;
+    mps.load(load);
+    return load.pressure;
   };
   const double full = -2 * 1000 * g * height;
   // gamma takes 1 %, and the pressure belongs to particles half a spacing off at both ends: 5 % of the

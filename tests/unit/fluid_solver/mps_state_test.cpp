@@ -28,8 +28,8 @@ TEST(MpsState, ContinuesBitForBitInAFreshObject) {
   for (int k = 0; k < 20; ++k) (void)whole.step(k * dt, dt);
   fresh.restore(whole.save());
   EXPECT_EQ(fresh.save(), whole.save());
-  Surface a = Surface::at_rest(2, whole.bodies().points());
-  Surface b = a;
+  InterfaceLoad a = InterfaceLoad::zero(2, whole.bodies().points());
+  InterfaceLoad b = a;
   for (int k = 20; k < 40; ++k) {
     const StepReport one = whole.step(k * dt, dt);
     const StepReport other = fresh.step(k * dt, dt);
@@ -87,7 +87,7 @@ Mps<2> water_beside_a_plate() {
 }
 
 struct LoadedStep {
-  Surface surface;
+  InterfaceLoad load;
   std::string state;
 };
 
@@ -96,23 +96,25 @@ LoadedStep last_of_attempts(const std::vector<double>& velocities) {
   constexpr double dt = 1e-3;
   Mps<2> mps = water_beside_a_plate();
   for (int k = 0; k < 2; ++k) (void)mps.step(k * dt, dt);
-  Surface surface = Surface::at_rest(2, mps.bodies().points());
-  std::uint32_t attempt = 1;
+  InterfaceMotion motion = InterfaceMotion::at_rest(2, mps.bodies().points());
+  InterfaceLoad load = InterfaceLoad::zero(2, mps.bodies().points());
+  Attempt attempt = Attempt::first;
   for (const double velocity : velocities) {
-    surface.velocity.row(0).setConstant(velocity);
-    attempt <= 1 ? mps.move_bodies(surface.displacement, surface.velocity)
-                 : mps.set_body_velocity(surface.velocity);
-    (void)mps.step(2 * dt, dt, attempt++);
+    motion.velocity.row(0).setConstant(velocity);
+    attempt == Attempt::first ? mps.move_bodies(motion.displacement, motion.velocity)
+                              : mps.set_body_velocity(motion.velocity);
+    (void)mps.step(2 * dt, dt, attempt);
+    attempt = Attempt::again;
   }
-  mps.load(surface);
-  return {surface, mps.save()};
+  mps.load(load);
+  return {load, mps.save()};
 }
 
 TEST(MpsAttempts, WithTheSameVelocityGiveTheSameBits) {
   const LoadedStep once = last_of_attempts({0.01});
   const LoadedStep thrice = last_of_attempts({0.01, 0.01, 0.01});
-  EXPECT_GT(once.surface.pressure.maxCoeff(), 0);
-  EXPECT_EQ(once.surface.force, thrice.surface.force);
+  EXPECT_GT(once.load.pressure.maxCoeff(), 0);
+  EXPECT_EQ(once.load.force, thrice.load.force);
   EXPECT_EQ(once.state, thrice.state);
 }
 
@@ -121,7 +123,7 @@ TEST(MpsAttempts, ForgetTheVelocityOfTheAttemptBefore) {
   const LoadedStep again = last_of_attempts({0.5, 0.01});
   const LoadedStep other = last_of_attempts({0.5});
   const auto difference = [&](const LoadedStep& a, const LoadedStep& b) {
-    return (a.surface.force - b.surface.force).norm() / b.surface.force.norm();
+    return (a.load.force - b.load.force).norm() / b.load.force.norm();
   };
   EXPECT_GT(difference(other, once), 0.1);
   // The residual of the pressure equation is 1e-4 of the right-hand side; the water is 10 particles deep, so

@@ -234,20 +234,20 @@ TEST(MpsLoad, IsMinusThePressureOnTheFaceTimesTheDeformedArea) {
     mps.move_bodies(displacement, Field::Zero(2, mps.bodies().points()));
     (void)mps.step(k * 1e-3, 1e-3);
   }
-  Surface surface = Surface::at_rest(2, mps.bodies().points());
-  mps.load(surface);
+  InterfaceLoad load = InterfaceLoad::zero(2, mps.bodies().points());
+  mps.load(load);
   for (int k = 0; k < mps.bodies().points(); ++k) {
     // Along the area at every point; the corner at the top has two faces of different pressures.
-    const double along = surface.force.col(k).dot(areas[k].normalized());
+    const double along = load.force.col(k).dot(areas[k].normalized());
     if (mps.bodies().wet(k)) {
-      EXPECT_NEAR(along, -surface.pressure[k] * areas[k].norm(), 1e-9 * std::abs(along));
+      EXPECT_NEAR(along, -load.pressure[k] * areas[k].norm(), 1e-9 * std::abs(along));
     } else {
       EXPECT_EQ(along, 0);
     }
-    EXPECT_TRUE(mps.bodies().wet(k) || surface.pressure[k] == 0) << k;
+    EXPECT_TRUE(mps.bodies().wet(k) || load.pressure[k] == 0) << k;
   }
-  EXPECT_GT(surface.force.row(0).sum(), 0);  // the water stands on the left
-  EXPECT_GT(surface.pressure.maxCoeff(), 100);
+  EXPECT_GT(load.force.row(0).sum(), 0);  // the water stands on the left
+  EXPECT_GT(load.pressure.maxCoeff(), 100);
 }
 
 TEST(MpsStep, WallsThatDriveTheWaterHaveTheSmallerCourantNumber) {

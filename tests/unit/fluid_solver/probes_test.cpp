@@ -48,8 +48,7 @@ std::vector<double> read_after(const v1::Case& c, double end) {
     (void)mps.step(t, dt);
     t += dt;
   }
-  const Surface surface = Surface::at_rest(2, 0);
-  return probes.read({.surface = surface, .end = t});
+  return probes.read({.motion = InterfaceMotion::at_rest(2, 0), .load = InterfaceLoad::zero(2, 0), .end = t});
 }
 
 TEST(Probes, OfPressureRideOnAMovingObstacle) {
@@ -111,12 +110,13 @@ TEST(BodyLoad, TakesTheMomentAboutAPointThatMovesWithTheBody) {
   interface.position.resize(2, 2);
   interface.position << 0.005, 0.015, 0.005, 0.005;
   interface.body = {0, 0};
-  Surface surface = Surface::at_rest(2, 2);
-  surface.force << 0, 0, 1, 3;  // 1 N and 3 N upwards
-  surface.displacement << 0.5, 0.5, 0.25, 0.25;
-  const Load<2> load = BodyLoad<2>(interface, 0, {0.01, 0.005}, 0.01).read(surface);
-  EXPECT_EQ(load.force, Vec<2>(0, 4));
-  EXPECT_NEAR(load.moment[2], -0.005 * 1 + 0.005 * 3, 1e-15);
+  InterfaceMotion motion = InterfaceMotion::at_rest(2, 2);
+  InterfaceLoad load = InterfaceLoad::zero(2, 2);
+  load.force << 0, 0, 1, 3;  // 1 N and 3 N upwards
+  motion.displacement << 0.5, 0.5, 0.25, 0.25;
+  const Load<2> sum = BodyLoad<2>(interface, 0, {0.01, 0.005}, 0.01).read(motion, load);
+  EXPECT_EQ(sum.force, Vec<2>(0, 4));
+  EXPECT_NEAR(sum.moment[2], -0.005 * 1 + 0.005 * 3, 1e-15);
 }
 
 }  // namespace

@@ -302,7 +302,7 @@ TEST(Walls, AnObstacleThatMovesIntoAnotherWallIsNamed) {
 TEST(Walls, WaterRestsBesideAnObstacleInTheFloor) {
   const v1::Fluid fluid = tank_with_obstacles({{0.1, -0.3, 0.16, 0.2}, {0.12, -0.04, 0.3, 0.1}});
   auto mps = test::mps_of<2>(fluid, nullptr, {0, -9.81});
-  for (int step = 0; step < 20; ++step) EXPECT_NO_THROW(mps.step(1e-3 * step, 1e-3, 1));
+  for (int step = 0; step < 20; ++step) EXPECT_NO_THROW(mps.step(1e-3 * step, 1e-3, Attempt::first));
 }
 
 TEST(Walls, MoveAsTheyAreToldWithTheirMeanVelocity) {

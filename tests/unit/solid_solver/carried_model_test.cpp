@@ -178,9 +178,10 @@ TEST_P(Carried, AFreeBodyHasItsInitialVelocity) {
   for (int k = 0; k < 50; ++k)
     model->advance({.index = static_cast<std::uint64_t>(k), .start = k * dt, .size = dt}, none(*model, 2));
   const double t = 50 * dt;
+  // The particles of `mps` fall at most g t / 2 times a sub-step farther.
   const Vec<2> way(2 * t, -5 * t - 0.5 * g * t * t);
   for (Eigen::Index n = 0; n < model->nodes(); ++n)
-    EXPECT_LT((Vec<2>(model->displacement().col(n)) - way).norm(), 1e-3 * 0.5 * g * t * t + 1e-9) << n;
+    EXPECT_LT((Vec<2>(model->displacement().col(n)) - way).norm(), 5e-3 * 0.5 * g * t * t + 1e-9) << n;
 }
 
 TEST(CarriedBody, TouchesNothingWhereItsTankCarriesIt) {

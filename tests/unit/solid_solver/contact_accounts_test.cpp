@@ -177,7 +177,7 @@ TEST(ContactMomentum, OfBlocksThatMeetHalfwayIsKeptAroundEveryAxis) {
     Vec<3> before = Vec<3>::Zero();
     double spun = 0;
     while (run.windows < 80) {
-      run.surface.force.row(0).setConstant(run.windows < 20 ? 20 * mass / points : 0);
+      run.load.force.row(0).setConstant(run.windows < 20 ? 20 * mass / points : 0);
       run.advance();
       if (run.windows == 20) before = momenta();
       if (run.windows > 20) spun = std::max(spun, std::abs(momenta()[2] - before[2]));

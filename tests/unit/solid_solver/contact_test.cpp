@@ -118,7 +118,7 @@ TEST_P(Contact, TwoBlocksThatCollideKeepTheirMomentum) {
   const auto points = static_cast<double>(run.interface.points());
   const double blow = 0.25 * mass * speed * speed;  // the energy of the motion against each other
   while (run.windows < 70) {
-    run.surface.force.row(0).setConstant(run.windows < 20 ? mass * push / points : 0);
+    run.load.force.row(0).setConstant(run.windows < 20 ? mass * push / points : 0);
     run.advance();
     expect_accounts(run, blow);
     EXPECT_EQ(run.value("contact_load_x"), 0);  // nothing from outside
@@ -242,7 +242,7 @@ TEST_P(Slap, APlateThatIsPushedAgainstAWallStopsThere) {
   const double push = 156 * made.depth();  // bends it by 40 mm, and swings to 80
   double taken = 0;
   while (run.windows < 100) {
-    run.surface.force.row(0).setConstant(push / static_cast<double>(run.interface.points()));
+    run.load.force.row(0).setConstant(push / static_cast<double>(run.interface.points()));
     run.advance();
     taken = std::max(taken, std::abs(run.value("interface_work")));
     expect_accounts(run, taken);
@@ -262,7 +262,7 @@ TEST_P(Slap, WhereNothingIsNearARunHasTheBitsOfOneWithoutATank) {
   ContactRun with(made.the_case, made.points()), without(alone, made.points());
   for (int k = 0; k < 30; ++k) {
     for (ContactRun* run : {&with, &without}) {
-      run->surface.force.row(0).setConstant(20 * made.depth() / static_cast<double>(run->interface.points()));
+      run->load.force.row(0).setConstant(20 * made.depth() / static_cast<double>(run->interface.points()));
       run->advance();
     }
     for (const char* name : {"tip_x", "kinetic_energy", "substeps"})

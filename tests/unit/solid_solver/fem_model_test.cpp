@@ -41,8 +41,8 @@ Vec<2> deflection(const Field& points, double p) {
   // Windows of 200 periods and all oscillations damped: a series of balances.
   for (int k = 1; k <= ramp + rest; ++k) {
     const double force = std::min(1.0, static_cast<double>(k) / ramp) * p * rigidity / (length * length);
-    run.surface.force = Field::Zero(2, count);
-    run.surface.force.row(0).setConstant(force / static_cast<double>(count));
+    run.load.force = Field::Zero(2, count);
+    run.load.force.row(0).setConstant(force / static_cast<double>(count));
     report = run.advance(300);
   }
   return Vec<2>(run.value(report, "tip_x"), -run.value(report, "tip_y")) / length;
@@ -142,8 +142,8 @@ TEST(FemModel, StepsOfAStiffBodyMayBeLongAgainstItsPeriods) {
   LoadedSolid run(c, face);
   Report report;
   for (int k = 0; k < 60; ++k) {
-    run.surface.force = Field::Zero(2, 80);
-    run.surface.force.row(0).setConstant(1000 * l0);  // 1 kPa
+    run.load.force = Field::Zero(2, 80);
+    run.load.force.row(0).setConstant(1000 * l0);  // 1 kPa
     report = run.advance(1e-3);
   }
   const double rigidity = 2e11 / (1 - 0.09) * std::pow(0.012, 3) / 12;
@@ -286,7 +286,7 @@ TEST(FemModel, AMaterialThatCollapsesIsNamedWithOneThatDoesNot) {
 TEST(FemModel, LoadsBeyondAnyBalanceSayWhatToDo) {
   LoadedSolid run(elements({.rows = 20}, 0.8), test::left_face(20));
   run.advance(1e-4);
-  run.surface.force.setConstant(1e6);
+  run.load.force.setConstant(1e6);
   try {
     run.advance(1e-2);
     FAIL() << "went on";

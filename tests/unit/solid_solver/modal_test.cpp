@@ -102,8 +102,8 @@ TEST(ModalModel, MovesAsTheElementsDoWhereDeflectionIsSmall) {
     std::vector<double> history;
     for (int k = 0; k < 400; ++k) {
       const double load = k < 80 ? std::pow(std::sin(std::numbers::pi * k / 80), 2) : 0;
-      run.surface.force = Field::Zero(2, 80);
-      run.surface.force.row(0).setConstant(6 * load * l0);
+      run.load.force = Field::Zero(2, 80);
+      run.load.force.row(0).setConstant(6 * load * l0);
       history.push_back(run.value(run.advance(5e-4), "tip_x"));
     }
     return history;
@@ -121,8 +121,8 @@ TEST(ModalModel, SaysHowFarItIsFromSmallDeflection) {
   LoadedSolid run(c, test::left_face(80));
   double rotation = 0, strain = 0, deflection = 0, tip = 0;
   for (int k = 0; k < 40; ++k) {
-    run.surface.force = Field::Zero(2, 80);
-    run.surface.force.row(0).setConstant(10 * l0);
+    run.load.force = Field::Zero(2, 80);
+    run.load.force.row(0).setConstant(10 * l0);
     const Report report = run.advance(1e-3);
     rotation = run.value(report, "largest_rotation");
     strain = run.value(report, "largest_strain");

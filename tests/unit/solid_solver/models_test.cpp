@@ -37,13 +37,13 @@ TEST_P(Models, WorkAtThePointsIsTheWorkOnTheNodes) {
   double at_points = 0, gross = 0, on_nodes = 0;
   Field last_load = Field::Zero(2, 40);
   for (int k = 0; k < 30; ++k) {
-    const Field before = run.surface.displacement;
+    const Field before = run.motion.displacement;
     const Field load = load_of(k, 40);
-    run.surface.force = load;
+    run.load.force = load;
     const Report report = run.advance(3e-4);
-    const Field moved = run.surface.displacement - before;
+    const Field moved = run.motion.displacement - before;
     const Field first = path() == v1::Coupling::ramped ? last_load : load;
-    const Field& late = run.surface.ramp_increment;
+    const Field& late = run.motion.ramp_increment;
     const double work = first.cwiseProduct(moved).sum() + (load - first).cwiseProduct(late).sum();
     at_points += work;
     gross += std::abs(work);
@@ -57,12 +57,13 @@ TEST_P(Models, WorkAtThePointsIsTheWorkOnTheNodes) {
 TEST_P(Models, AnotherAttemptAtAWindowStartsWhereTheFirstDid) {
   const auto after = [&](const std::vector<int>& loads) {
     LoadedSolid run(scene({.rows = 40, .poisson_ratio = 0.3}), test::left_face(40));
-    run.surface.force = load_of(0, 40);
+    run.load.force = load_of(0, 40);
     run.advance(3e-4);
-    std::uint32_t attempt = loads.size() > 1 ? 1 : 0;
+    Attempt attempt = loads.size() > 1 ? Attempt::first : Attempt::once;
     for (const int load : loads) {
-      run.surface.force = load_of(load, 40);
-      run.solid.advance({.index = 1, .start = 3e-4, .size = 3e-4, .attempt = attempt++}, run.surface);
+      run.load.force = load_of(load, 40);
+      run.solid.advance({.index = 1, .start = 3e-4, .size = 3e-4, .attempt = attempt}, run.load, run.motion);
+      attempt = Attempt::again;
     }
     return run.solid.save();
   };
@@ -76,24 +77,24 @@ TEST_P(Models, TheVelocityIsTheMeanOrThatAtTheEnd) {
     c.mutable_coupling()->set_velocity(choice);
     auto loaded = std::make_unique<LoadedSolid>(c, test::left_face(40));
     for (int k = 0; k < 5; ++k) {
-      loaded->surface.force = load_of(k, 40);
+      loaded->load.force = load_of(k, 40);
       loaded->advance(size);
     }
     return loaded;
   };
   const auto mean = run(v1::Coupling::mean, 3e-4);
   const auto end = run(v1::Coupling::end, 3e-4);
-  EXPECT_EQ(mean->surface.displacement, end->surface.displacement);
+  EXPECT_EQ(mean->motion.displacement, end->motion.displacement);
   // Under no load in a window that is short against every motion, both are the same velocity.
   for (auto* loaded : {mean.get(), end.get()}) {
-    loaded->surface.force.setZero();
+    loaded->load.force.setZero();
     loaded->advance(1e-9);
   }
-  const double scale = end->surface.velocity.norm();
+  const double scale = end->motion.velocity.norm();
   EXPECT_GT(scale, 0);
   // The displacement of some 1e-5 m is known to 1e-21 m, and divided by 1e-9 s; the stiffest acceleration,
   // some 1e4 m/s2 at 1e-2 m/s, and what is left of a ramp change the velocity by 1e-5 of itself.
-  EXPECT_LT((mean->surface.velocity - end->surface.velocity).norm(), 1e-3 * scale);
+  EXPECT_LT((mean->motion.velocity - end->motion.velocity).norm(), 1e-3 * scale);
 }
 
 TEST_P(Models, WorkIsTheChangeOfEnergy) {
@@ -105,7 +106,7 @@ TEST_P(Models, WorkIsTheChangeOfEnergy) {
   double gross = 0, work = 0, energy = 0;
   for (int k = 0; k < 40; ++k) {
     // Slow against the sub-steps; no load at the end, where the scheme's energy equals the body's.
-    run.surface.force =
+    run.load.force =
         k < 39 ? Field(0.02 * std::sin(0.08 * k) * Field::Ones(2, 40)) : Field(Field::Zero(2, 40));
     const Report report = run.advance(2e-4);
     const double now = run.value(report, "interface_work");
@@ -125,27 +126,27 @@ TEST_P(Models, SavedStateContinuesBitForBit) {
   const v1::Case c = scene({.rows = 20});
   LoadedSolid run(c, test::left_face(20));
   for (int k = 0; k < 5; ++k) {
-    run.surface.force = load_of(k, 20);
+    run.load.force = load_of(k, 20);
     run.advance(1e-4);
   }
   const std::string state = run.solid.save();
   const auto five_more = [](LoadedSolid& r) {
     for (int k = 5; k < 10; ++k) {
-      r.surface.force = load_of(k, 20);
+      r.load.force = load_of(k, 20);
       r.advance(1e-4);
     }
-    return r.surface;
+    return r.motion;
   };
-  const Surface straight = five_more(run);
+  const InterfaceMotion straight = five_more(run);
   LoadedSolid other(c, test::left_face(20));
   other.solid.restore(state);
-  const Surface resumed = five_more(other);
+  const InterfaceMotion resumed = five_more(other);
   run.solid.restore(state);
-  const Surface again = five_more(run);
-  for (const Surface* surface : {&resumed, &again}) {
-    EXPECT_TRUE((surface->displacement.array() == straight.displacement.array()).all());
-    EXPECT_TRUE((surface->velocity.array() == straight.velocity.array()).all());
-    EXPECT_TRUE((surface->ramp_increment.array() == straight.ramp_increment.array()).all());
+  const InterfaceMotion again = five_more(run);
+  for (const InterfaceMotion* motion : {&resumed, &again}) {
+    EXPECT_TRUE((motion->displacement.array() == straight.displacement.array()).all());
+    EXPECT_TRUE((motion->velocity.array() == straight.velocity.array()).all());
+    EXPECT_TRUE((motion->ramp_increment.array() == straight.ramp_increment.array()).all());
   }
 }
 
@@ -166,10 +167,10 @@ TEST_P(Models, UniformPressureAllAroundMovesNothing) {
   Vec<2> momentum = Vec<2>::Zero();
   double gross = 0;
   for (int k = 0; k < 20; ++k) {
-    run.surface.force = -1e4 * points.area;
+    run.load.force = -1e4 * points.area;
     run.advance(5e-5);
-    momentum += run.surface.velocity.rowwise().sum();
-    gross += run.surface.velocity.cwiseAbs().sum();
+    momentum += run.motion.velocity.rowwise().sum();
+    gross += run.motion.velocity.cwiseAbs().sum();
   }
   ASSERT_GT(gross, 0);
   // The motion is symmetric, so that the sum over the lattice is zero as the momentum is; rounding of
@@ -189,9 +190,9 @@ TEST_P(Models, FramesShowTheLatticeWhateverTheModel) {
 
 TEST_P(Models, LoadsThatAreNoNumbersEndTheRun) {
   LoadedSolid run(scene({.rows = 20}), test::left_face(20));
-  run.surface.force.setConstant(0.001);
+  run.load.force.setConstant(0.001);
   run.advance(1e-4);
-  run.surface.force.setConstant(std::numeric_limits<double>::quiet_NaN());
+  run.load.force.setConstant(std::numeric_limits<double>::quiet_NaN());
   EXPECT_THROW(run.advance(1e-4), NumericalError);
 }
 
@@ -208,7 +209,7 @@ Swing swing_of(const v1::Case& c, double frequency, const Field& push, const Int
   double before = 0, highest = 0;
   for (int k = 0; k < 5 * period; ++k) {
     // A pulse as long as a period, which leaves the higher modes alone.
-    run.surface.force = (k < period ? std::pow(std::sin(std::acos(-1.0) * k / period), 2) : 0.0) * push;
+    run.load.force = (k < period ? std::pow(std::sin(std::acos(-1.0) * k / period), 2) : 0.0) * push;
     const double tip = run.value(run.advance(window), "tip_x");
     if (k > period && before < 0 && tip >= 0) {
       rises.push_back((k - tip / (tip - before)) * window);
@@ -317,10 +318,10 @@ TEST_P(Words, SeveralBodiesMoveAsTheyDoAlone) {
       together(both, interface_of({0, 1}));
   double work = 0;
   for (int k = 0; k < 10; ++k) {
-    alone.surface.force = load_of(k, 20);
-    alone_too.surface.force = load_of(k / 3, 20);
-    together.surface.force = Field(2, 40);
-    together.surface.force << alone.surface.force, alone_too.surface.force;
+    alone.load.force = load_of(k, 20);
+    alone_too.load.force = load_of(k / 3, 20);
+    together.load.force = Field(2, 40);
+    together.load.force << alone.load.force, alone_too.load.force;
     const Report one = alone.advance(1e-4), two = alone_too.advance(1e-4), sum = together.advance(1e-4);
     work = together.value(sum, "interface_work");
     EXPECT_NEAR(work, alone.value(one, "interface_work") + alone_too.value(two, "interface_work"),
@@ -328,9 +329,9 @@ TEST_P(Words, SeveralBodiesMoveAsTheyDoAlone) {
   }
   EXPECT_GT(work, 0);
   Field each(2, 40);
-  each << alone.surface.displacement, alone_too.surface.displacement;
+  each << alone.motion.displacement, alone_too.motion.displacement;
   // Bit-identical except for `hamiltonian`, whose stable step is that of the stiffest body.
-  EXPECT_LT((together.surface.displacement - each).cwiseAbs().maxCoeff(), 1e-3 * each.cwiseAbs().maxCoeff());
+  EXPECT_LT((together.motion.displacement - each).cwiseAbs().maxCoeff(), 1e-3 * each.cwiseAbs().maxCoeff());
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Words,

@@ -85,12 +85,12 @@ TEST_P(Outlined, UniformPressureAllAroundMovesNothing) {
   ASSERT_LT(points.area.rowwise().sum().norm(), 1e-15);
   LoadedSolid run(c, points);
   for (int k = 0; k < 40; ++k) {
-    run.surface.force = -1e4 * points.area;
+    run.load.force = -1e4 * points.area;
     run.advance(5e-4);
   }
   // Without a net force the body only swings, by 1e-6 m; the points are no symmetric sample of it. What one
   // side alone would do is 0.6 m.
-  const Vec<2> drift = run.surface.displacement.rowwise().mean();
+  const Vec<2> drift = run.motion.displacement.rowwise().mean();
   const double push = 1e4 * points.area.cwiseAbs().sum() / 4;
   const double free_path = 0.5 * push / (density * test::area_of_disk(0.01)) * std::pow(40 * 5e-4, 2);
   EXPECT_LT(drift.norm(), 1e-4 * free_path);
@@ -104,11 +104,11 @@ TEST_P(Outlined, WorkAtThePointsIsTheWorkOnTheNodes) {
   double at_points = 0, gross = 0, on_nodes = 0;
   Field last = Field::Zero(2, points.points());
   for (int k = 0; k < 20; ++k) {
-    const Field before = run.surface.displacement, load = 0.1 * test::load_of(k, points.points());
-    run.surface.force = load;
+    const Field before = run.motion.displacement, load = 0.1 * test::load_of(k, points.points());
+    run.load.force = load;
     const Report report = run.advance(1e-4);
-    const double work = last.cwiseProduct(run.surface.displacement - before).sum() +
-                        (load - last).cwiseProduct(run.surface.ramp_increment).sum();
+    const double work = last.cwiseProduct(run.motion.displacement - before).sum() +
+                        (load - last).cwiseProduct(run.motion.ramp_increment).sum();
     at_points += work;
     gross += std::abs(work);
     on_nodes = run.value(report, "interface_work");
@@ -127,7 +127,7 @@ double swing_of(const v1::Case& c, double expected, const Vec<2>& across, const 
   double before = 0;
   for (int k = 1; middles.size() < 3; ++k) {
     const double pulse = k < period ? std::pow(std::sin(std::numbers::pi * k / period), 2) : 0;
-    run.surface.force = 1e-5 * pulse * across.replicate(1, points.points());
+    run.load.force = 1e-5 * pulse * across.replicate(1, points.points());
     const Report report = run.advance(window);
     const double now = across[0] * run.value(report, "tip_x") + across[1] * run.value(report, "tip_y");
     if (k > period && (before < 0) != (now < 0)) middles.push_back((k - now / (now - before)) * window);

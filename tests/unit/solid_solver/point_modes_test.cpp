@@ -21,7 +21,8 @@ using Word = v1::SolidModel;
 struct Asked {
   SolidParticipant solid;
   Interface interface;
-  Surface surface;
+  InterfaceMotion motion;
+  InterfaceLoad load;
   std::uint64_t windows = 0;
   double time = 0;
 
@@ -32,28 +33,29 @@ struct Asked {
     c.mutable_solid()->mutable_fem()->set_rho_infinity(1);  // steps of 0.3 answer a new load by 9.5 % less
     interface = c.dimension() == 2 ? test::points_on<2>(c.solid().body(0), c.fluid().spacing())
                                    : test::points_on<3>(c.solid().body(0), c.fluid().spacing());
-    static_cast<void>(solid.initialize(c, interface, surface));
+    load = InterfaceLoad::zero(c.dimension(), interface.points());
+    static_cast<void>(solid.initialize(c, interface, load, motion));
   }
-  void advance(double size, std::uint32_t attempt = 0) {
+  void advance(double size, Attempt attempt = Attempt::once) {
     static_cast<void>(
-        solid.advance({.index = windows, .start = time, .size = size, .attempt = attempt}, surface));
+        solid.advance({.index = windows, .start = time, .size = size, .attempt = attempt}, load, motion));
   }
   void go_on(double size) {
     advance(size);
     ++windows;
     time += size;
   }
-  Field places() const { return interface.position + surface.displacement; }
+  Field places() const { return interface.position + motion.displacement; }
 
   /// Error of the modes for another load in the next window, relative to the response.
-  double missed(const Field& load, const Field& other, double size) {
-    surface.force = load;
-    advance(size, 1);
-    const Field first = surface.velocity;
-    const std::vector<Mode> modes = surface.modes;
-    surface.force = other;
-    advance(size, 2);
-    const Field answer = surface.velocity - first;
+  double missed(const Field& one, const Field& other, double size) {
+    load.force = one;
+    advance(size, Attempt::first);
+    const Field first = motion.velocity;
+    const std::vector<Mode> modes = motion.modes;
+    load.force = other;
+    advance(size, Attempt::again);
+    const Field answer = motion.velocity - first;
     Field told = Field::Zero(answer.rows(), answer.cols());
     for (const Mode& mode : modes)
       told += mode.mobility * (mode.shape.cwiseProduct(other).sum() - mode.load) * mode.shape;
@@ -73,9 +75,9 @@ TEST_P(RollingModes, TurnWithTheTank) {
   Field none = Field::Zero(dimension, run.interface.points());
   // The load of the first mode: others answer it with less than a hundredth.
   const auto first_mode = [&] {
-    run.surface.force = none;
-    run.advance(1e-3, 1);
-    return run.surface.modes.at(0).shape;
+    run.load.force = none;
+    run.advance(1e-3, Attempt::first);
+    return run.motion.modes.at(0).shape;
   };
   const Field drawn = first_mode();
   while (run.time < 0.3) run.go_on(1e-3);
@@ -141,7 +143,7 @@ TEST_P(TurnedModes, TellTheSpinOfAFreeBodyThatHasTurned) {
   // drawn.
   const double drawn = run.missed(0 * couple(), scale * couple(), 1e-3);
   while (run.windows < 400) {
-    run.surface.force =
+    run.load.force =
         run.windows < 60 ? Field(scale * couple()) : Field(Field::Zero(dimension, couple().cols()));
     run.go_on(1e-3);
   }

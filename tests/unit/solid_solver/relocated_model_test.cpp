@@ -47,10 +47,10 @@ struct Flap {
     LoadedSolid run(make(), face());
     Report report;
     for (int k = 0; k < 10; ++k) {
-      run.surface.force = test::load_of(k, 38);
+      run.load.force = test::load_of(k, 38);
       report = run.advance(1e-3);
     }
-    return {run.value(report, "tip_x"), run.surface.displacement(0, 30)};
+    return {run.value(report, "tip_x"), run.motion.displacement(0, 30)};
   }
 };
 

@@ -19,7 +19,7 @@ const double beam = 0.008 * std::sqrt(1e6 / (12 * 2500)) / (0.16 * 0.16);
 
 double frequency_of(const v1::Case& c) {
   test::LoadedSolid run(c, test::left_face(20));
-  return run.surface.frequency;
+  return run.motion.frequency;
 }
 
 class SlowestOscillation : public ::testing::TestWithParam<v1::SolidModel::Word> {};
@@ -69,7 +69,7 @@ TEST(SlowestOscillationOf, AStructureLimitsWindowsWhereTheCaseDoesNot) {
   const double period = 2 * std::numbers::pi / (3.516 * beam);
   EXPECT_NEAR(50 * run.setup.window / period, 1, 0.02);
   EXPECT_EQ(run.advance(1e-4).window, run.setup.window);
-  run.surface.force = test::load_of(0, 20);
+  run.load.force = test::load_of(0, 20);
   EXPECT_NEAR(200 * run.advance(1e-4).window / period, 1, 0.02);
 }
 

@@ -25,9 +25,9 @@ TEST(SolidParticipant, ImpulseOfARampIsTheMeanOfItsEnds) {
   LoadedSolid run(coupled({.rows = 8, .clamped = false}, v1::Coupling::ramped), test::left_face(8));
   const double window = 1e-3, first = 0.01, last = 0.03;
   const double mass = 12 * 8 * l0 * l0 * 2500;
-  run.surface.force.row(0).setConstant(first / 8);
+  run.load.force.row(0).setConstant(first / 8);
   run.advance(window);  // from zero
-  run.surface.force.row(0).setConstant(last / 8);
+  run.load.force.row(0).setConstant(last / 8);
   run.advance(window);
   const double impulse = (first / 2 + (first + last) / 2) * window;
   Snapshot frame = run.solid.frame();
@@ -40,12 +40,12 @@ TEST(SolidParticipant, ImpulseOfARampIsTheMeanOfItsEnds) {
 TEST(SolidParticipant, PointsOnTheLatticeFollowTheirParticleAlone) {
   const v1::Case c = test::plate({.rows = 20});
   LoadedSolid run(c, test::left_face(20));
-  run.surface.force = load_of(1, 20);
+  run.load.force = load_of(1, 20);
   run.advance(1e-3);
   const Snapshot frame = run.solid.frame();
   for (int j = 0; j < 20; ++j) {
     const auto particle = static_cast<std::size_t>(24 + 12 * j);  // after two held rows
-    const double x = 0.5 * l0 + run.surface.displacement(0, j);
+    const double x = 0.5 * l0 + run.motion.displacement(0, j);
     EXPECT_FLOAT_EQ(frame[0].values[2 * particle], static_cast<float>(x));
   }
 }
@@ -58,21 +58,21 @@ TEST(SolidParticipant, PointsFollowTheirOwnBodyOnly) {
   Interface points{.dimension = 2, .position = Field(2, 2), .area = Field::Zero(2, 2), .body = {0, 1}};
   points.position << 4 * l0, 4 * l0, 19.5 * l0, 19.5 * l0;  // one place, two bodies
   LoadedSolid run(c, points);
-  run.surface.force = Field::Zero(2, 2);
-  run.surface.force(0, 1) = 0.001;
+  run.load.force = Field::Zero(2, 2);
+  run.load.force(0, 1) = 0.001;
   run.advance(5e-3);
-  EXPECT_EQ(run.surface.displacement(0, 0), 0);
-  EXPECT_GT(run.surface.displacement(0, 1), 0);
+  EXPECT_EQ(run.motion.displacement(0, 0), 0);
+  EXPECT_GT(run.motion.displacement(0, 1), 0);
 }
 
 TEST(SolidParticipant, VelocityIsTheMeanOverTheWindow) {
   LoadedSolid run(test::plate({.rows = 20}), test::left_face(20));
-  run.surface.force = load_of(1, 20);
+  run.load.force = load_of(1, 20);
   run.advance(1e-3);
-  const Field before = run.surface.displacement;
+  const Field before = run.motion.displacement;
   run.advance(7e-4);
-  const Field mean = (run.surface.displacement - before) / 7e-4;
-  EXPECT_LT((run.surface.velocity - mean).cwiseAbs().maxCoeff(),
+  const Field mean = (run.motion.displacement - before) / 7e-4;
+  EXPECT_LT((run.motion.velocity - mean).cwiseAbs().maxCoeff(),
             1e-12);  // rounding of displacements over 7e-4 s
 }
 
@@ -111,7 +111,7 @@ TEST(SolidParticipant, SpacingIsTheFluidsWhereItHasNone) {
 TEST(SolidParticipant, RunawayMotionSaysWhereAndWhen) {
   LoadedSolid run(test::plate({.rows = 20}), test::left_face(20));
   run.advance(1e-4);
-  run.surface.force.setConstant(std::numeric_limits<double>::quiet_NaN());
+  run.load.force.setConstant(std::numeric_limits<double>::quiet_NaN());
   try {
     run.advance(1e-4);
     FAIL() << "went on";
@@ -137,13 +137,13 @@ TEST(RigidModel, StandsStillAndReportsItsLoad) {
   v1::Case c = test::plate({.rows = 20});
   c.mutable_solid()->set_model(v1::SolidModel::rigid);
   LoadedSolid run(c, test::left_face(20));
-  run.surface.force.setConstant(2.5);
+  run.load.force.setConstant(2.5);
   const Report report = run.advance(1e-3);
   EXPECT_EQ(run.value(report, "load_x"), 50);
   EXPECT_EQ(run.value(report, "tip_x"), 0);
   EXPECT_EQ(run.value(report, "interface_work"), 0);
-  EXPECT_EQ(run.surface.displacement.cwiseAbs().maxCoeff(), 0);
-  EXPECT_EQ(run.surface.velocity.cwiseAbs().maxCoeff(), 0);
+  EXPECT_EQ(run.motion.displacement.cwiseAbs().maxCoeff(), 0);
+  EXPECT_EQ(run.motion.velocity.cwiseAbs().maxCoeff(), 0);
   EXPECT_EQ(run.solid.frame()[0].values.size(), 2u * 12 * 20);
 }
 

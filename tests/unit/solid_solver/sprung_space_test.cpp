@@ -50,7 +50,7 @@ struct Brick : LoadedSolid {
   }
   /// The body's rotation matrix, from its points.
   Mat<3> rotation() const {
-    const Field x = interface.position + surface.displacement;
+    const Field x = interface.position + motion.displacement;
     Mat<3> R;
     for (int k = 0; k < 3; ++k) R.col(k) = (x.col(1 + k) - x.col(0)) / (0.5 * sides[k]);
     return R;
@@ -62,10 +62,10 @@ struct Brick : LoadedSolid {
   /// A moment about an axis of space for one window; the body must not have turned yet.
   Report kick(int axis, double moment, double window) {
     const int arm = (axis + 1) % 3, along = (axis + 2) % 3;
-    surface.force(along, 1 + arm) = moment / (0.5 * sides[arm]);
-    surface.force(along, 0) = -moment / (0.5 * sides[arm]);
+    load.force(along, 1 + arm) = moment / (0.5 * sides[arm]);
+    load.force(along, 0) = -moment / (0.5 * sides[arm]);
     const Report report = advance(window);
-    surface.force.setZero();
+    load.force.setZero();
     return report;
   }
 };
@@ -80,17 +80,17 @@ TEST(SprungInSpace, ATopPrecessesAtTheRateOfItsAngularMomentum) {
       .dimension = 3, .position = Field::Zero(3, 3), .area = Field::Zero(3, 3), .body = {0, 0, 0}};
   points.position << 0.05, 0.1, 0.05, 0.05, 0.05, 0.05, 0.02, 0.02, 0.04;
   LoadedSolid run(c, points);
-  const double blow = 1e-6;                       // s: it does not turn in it
-  run.surface.force(1, 1) = L[2] / blow / 0.05;   // about z
-  run.surface.force(1, 2) = -L[0] / blow / 0.02;  // about x
-  run.surface.force.col(0) = -(run.surface.force.col(1) + run.surface.force.col(2));
+  const double blow = 1e-6;                    // s: it does not turn in it
+  run.load.force(1, 1) = L[2] / blow / 0.05;   // about z
+  run.load.force(1, 2) = -L[0] / blow / 0.02;  // about x
+  run.load.force.col(0) = -(run.load.force.col(1) + run.load.force.col(2));
   run.advance(blow);
-  run.surface.force.setZero();
+  run.load.force.setZero();
   const double dt = 1e-3;
   double worst = 0, farthest = 0;
   for (int k = 1; k <= 1000; ++k) {
     run.advance(dt);
-    const Field x = run.interface.position + run.surface.displacement;
+    const Field x = run.interface.position + run.motion.displacement;
     const Vec<3> axis = (x.col(2) - x.col(0)).normalized();
     const Vec<3> exact = Eigen::AngleAxisd(L.norm() / Ix * k * dt, L.normalized()) * Vec<3>(0, 0, 1);
     worst = std::max(worst, (axis - exact).norm());
@@ -104,9 +104,9 @@ TEST(SprungInSpace, ABrickThatTumblesKeepsEnergyAndAngularMomentum) {
   Brick run(brick(all_motions));
   // About the axis of middle inertia, x, which is unstable: it turns over.
   run.kick(0, 8 * inertia(0) / 1e-3, 1e-3);
-  run.surface.force(2, 1) = 1e-3;
+  run.load.force(2, 1) = 1e-3;
   Report report = run.advance(1e-3);
-  run.surface.force.setZero();
+  run.load.force.setZero();
   const double energy = run.sum_of(report);
   double turned_over = 1;
   for (int k = 0; k < 4000; ++k) {
@@ -132,7 +132,7 @@ TEST(SprungInSpace, LoadsAndSpringsDoTheWorkThatTheEnergiesTake) {
     double most = 0, farthest = 0;
     for (int k = 0; k < 400; ++k) {
       for (int p = 0; p < 4; ++p)
-        run.surface.force.col(p) << 0.3 * std::sin(0.05 * k + p), 0.2 * std::cos(0.03 * k * p), 0.1 * p;
+        run.load.force.col(p) << 0.3 * std::sin(0.05 * k + p), 0.2 * std::cos(0.03 * k * p), 0.1 * p;
       const Report report = run.advance(2e-3);
       const double work = run.value(report, "interface_work");
       most = std::max(most, std::abs(run.value(report, "kinetic_energy")));
@@ -189,11 +189,11 @@ TEST(SprungInSpace, AboutOneAxisItIsTheBodyOfThePlane) {
   for (int k = 0; k < 700; ++k) {
     run.advance(1e-3);
     flat.advance(1e-3);
-    ASSERT_NEAR(run.surface.displacement(0, 0), flat.surface.displacement(0, 0), 1e-10);
-    ASSERT_NEAR(run.surface.displacement(2, 0), flat.surface.displacement(1, 0), 1e-10);
-    ASSERT_EQ(run.surface.displacement(1, 0), 0);
+    ASSERT_NEAR(run.motion.displacement(0, 0), flat.motion.displacement(0, 0), 1e-10);
+    ASSERT_NEAR(run.motion.displacement(2, 0), flat.motion.displacement(1, 0), 1e-10);
+    ASSERT_EQ(run.motion.displacement(1, 0), 0);
   }
-  EXPECT_GT(run.surface.displacement.norm(), 0.05);
+  EXPECT_GT(run.motion.displacement.norm(), 0.05);
 }
 
 TEST(SprungInSpace, SavedStateContinuesBitForBit) {
@@ -202,8 +202,8 @@ TEST(SprungInSpace, SavedStateContinuesBitForBit) {
   other.solid.restore(run.solid.save());
   for (Brick* one : {&run, &other})
     for (int k = 0; k < 5; ++k) one->advance(1e-3);
-  EXPECT_EQ(run.surface.displacement, other.surface.displacement);
-  EXPECT_EQ(run.surface.velocity, other.surface.velocity);
+  EXPECT_EQ(run.motion.displacement, other.motion.displacement);
+  EXPECT_EQ(run.motion.velocity, other.motion.velocity);
 }
 
 TEST(SprungInSpace, APivotBesideTheCentreOfABodyThatMovesIsRefused) {

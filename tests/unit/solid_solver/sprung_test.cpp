@@ -40,7 +40,7 @@ TEST(Sprung, SwingsAtItsFrequencyWhateverTheWindow) {
   v1::Case c = block();
   add_spring(c, v1::Spring::x, mass * omega * omega);
   LoadedSolid run(c, test::left_face(20));
-  run.surface.force.row(0).setConstant(5. / 20);
+  run.load.force.row(0).setConstant(5. / 20);
   const double deflection = 5 / (mass * omega * omega);
   for (int k = 1; k <= 7; ++k) {
     const Report report = run.advance(0.11);  // a third of a period
@@ -55,9 +55,9 @@ TEST(Sprung, ADamperTakesItsShareOfEverySwing) {
   v1::Case c = block();
   add_spring(c, v1::Spring::y, mass * omega * omega, 2 * ratio * mass * omega);
   LoadedSolid run(c, test::left_face(20));
-  run.surface.force.row(1).setConstant(1);
+  run.load.force.row(1).setConstant(1);
   run.advance(10);  // to rest: exp(-0.05 20 10) = 5e-5
-  run.surface.force.setZero();
+  run.load.force.setZero();
   const double period = 2 * std::numbers::pi / (omega * std::sqrt(1 - ratio * ratio));
   const double first = run.value(run.advance(period), "tip_y"),
                second = run.value(run.advance(period), "tip_y");
@@ -82,7 +82,7 @@ TEST(Sprung, MassOfTheCaseGoesBeforeDensity) {
   add_spring(c, v1::Spring::y, 0);
   c.mutable_solid()->mutable_sprung()->set_mass(3);
   LoadedSolid run(c, test::left_face(20));
-  run.surface.force.row(1).setConstant(6. / 20);
+  run.load.force.row(1).setConstant(6. / 20);
   EXPECT_NEAR(run.value(run.advance(0.5), "tip_y"), 0.5 * 2 * 0.25, 1e-14);  // g t^2 / 2 with 6 N on 3 kg
 }
 
@@ -94,7 +94,7 @@ TEST(Sprung, ADiscTurnsThroughManyTurnsAndKeepsItsEnergy) {
     LoadedSolid run(c, test::left_face(20));
     double most = 0;
     for (int k = 0; k < 200; ++k) {
-      run.surface.force = 10 * test::load_of(k / 40, 20);
+      run.load.force = 10 * test::load_of(k / 40, 20);
       const Report report = run.advance(1e-3);
       const double work = run.value(report, "interface_work");
       most = std::max(most, std::abs(work));
@@ -135,11 +135,11 @@ TEST(Sprung, AFlapOnItsHingeTurnsUnderPressureAndDoesTheSameWorkOnBothSides) {
   Field last_load = Field::Zero(2, 20);
   double at_points = 0, gross = 0, on_nodes = 0, furthest = 0;
   for (int k = 0; k < 100; ++k) {
-    const Field before = run.surface.displacement, load = test::load_of(k / 25, 20);
-    run.surface.force = load;
+    const Field before = run.motion.displacement, load = test::load_of(k / 25, 20);
+    run.load.force = load;
     const Report report = run.advance(1e-3);
-    const double work = last_load.cwiseProduct(run.surface.displacement - before).sum() +
-                        (load - last_load).cwiseProduct(run.surface.ramp_increment).sum();
+    const double work = last_load.cwiseProduct(run.motion.displacement - before).sum() +
+                        (load - last_load).cwiseProduct(run.motion.ramp_increment).sum();
     at_points += work;
     gross += std::abs(work);
     on_nodes = run.value(report, "interface_work");
@@ -150,7 +150,7 @@ TEST(Sprung, AFlapOnItsHingeTurnsUnderPressureAndDoesTheSameWorkOnBothSides) {
   EXPECT_NEAR(at_points, on_nodes, 1e-12 * gross);
   // Every point keeps its distance from the hinge.
   for (int j = 0; j < 20; ++j) {
-    const Vec<2> X = run.interface.position.col(j), x = X + run.surface.displacement.col(j), hinge(0.006, 0);
+    const Vec<2> X = run.interface.position.col(j), x = X + run.motion.displacement.col(j), hinge(0.006, 0);
     EXPECT_NEAR((x - hinge).norm(), (X - hinge).norm(), 1e-15);
   }
 }
@@ -162,7 +162,7 @@ TEST(Sprung, SavedStateContinuesBitForBit) {
   LoadedSolid run(c, test::left_face(20)), other(c, test::left_face(20));
   const auto advance = [](LoadedSolid& r, int from, int to) {
     for (int k = from; k < to; ++k) {
-      r.surface.force = test::load_of(k, 20);
+      r.load.force = test::load_of(k, 20);
       r.advance(1e-4);
     }
   };
@@ -170,9 +170,9 @@ TEST(Sprung, SavedStateContinuesBitForBit) {
   other.solid.restore(run.solid.save());
   advance(run, 5, 10);
   advance(other, 5, 10);
-  EXPECT_TRUE((run.surface.displacement.array() == other.surface.displacement.array()).all());
-  EXPECT_TRUE((run.surface.velocity.array() == other.surface.velocity.array()).all());
-  EXPECT_TRUE((run.surface.ramp_increment.array() == other.surface.ramp_increment.array()).all());
+  EXPECT_TRUE((run.motion.displacement.array() == other.motion.displacement.array()).all());
+  EXPECT_TRUE((run.motion.velocity.array() == other.motion.velocity.array()).all());
+  EXPECT_TRUE((run.motion.ramp_increment.array() == other.motion.ramp_increment.array()).all());
 }
 
 TEST(Sprung, ABrickInSpaceMovesAlongItsSpringsOnly) {
@@ -207,7 +207,7 @@ TEST(Sprung, LoadsThatAreNoNumbersEndTheRun) {
   v1::Case c = block();
   add_spring(c, v1::Spring::y, 1);
   LoadedSolid run(c, test::left_face(20));
-  run.surface.force.setConstant(std::numeric_limits<double>::quiet_NaN());
+  run.load.force.setConstant(std::numeric_limits<double>::quiet_NaN());
   EXPECT_THROW(run.advance(1e-4), NumericalError);
 }
 

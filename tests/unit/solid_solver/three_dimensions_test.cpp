@@ -172,10 +172,10 @@ double swing_of_particles(double width, double poisson_ratio, double expected,
   double before = 0;
   for (int k = 1; middles.size() < 2; ++k) {
     const double phase = std::min(1.0, static_cast<double>(k) / per_period);
-    run.surface.force.setZero(3, all);
-    run.surface.force.row(0).setConstant(1e-6 * std::pow(std::sin(std::numbers::pi * phase), 2));
+    run.load.force.setZero(3, all);
+    run.load.force.row(0).setConstant(1e-6 * std::pow(std::sin(std::numbers::pi * phase), 2));
     run.advance(window);
-    const double now = run.surface.displacement.row(0).tail(along).mean();
+    const double now = run.motion.displacement.row(0).tail(along).mean();
     if (k > per_period && (before < 0) != (now < 0)) middles.push_back((k - now / (now - before)) * window);
     before = now;
   }
@@ -289,7 +289,7 @@ TEST_P(SpaceModels, WorkIsTheChangeOfEnergyAndAStateComesBackBitForBit) {
   double gross = 0, work = 0, energy = 0;
   for (int k = 0; k < 40; ++k) {
     if (k == 20) other.solid.restore(run.solid.save());
-    run.surface.force = other.surface.force = load(k);
+    run.load.force = other.load.force = load(k);
     const Report report = run.advance(2e-4);
     if (k >= 20) other.advance(2e-4);
     const double now = run.value(report, "interface_work");
@@ -300,8 +300,8 @@ TEST_P(SpaceModels, WorkIsTheChangeOfEnergyAndAStateComesBackBitForBit) {
   // As in the plane: the ripple of explicit steps; the mid-point rule except for nonlinear terms; rounding.
   const double off = particles ? 2e-3 : GetParam() == v1::SolidModel::fem ? 1e-5 : 1e-11;
   EXPECT_NEAR(energy, work, off * gross);
-  EXPECT_GT(run.surface.displacement.cwiseAbs().maxCoeff(), 1e-5);
-  EXPECT_TRUE((run.surface.displacement.array() == other.surface.displacement.array()).all());
+  EXPECT_GT(run.motion.displacement.cwiseAbs().maxCoeff(), 1e-5);
+  EXPECT_TRUE((run.motion.displacement.array() == other.motion.displacement.array()).all());
 }
 
 INSTANTIATE_TEST_SUITE_P(All, SpaceModels,
