@@ -62,6 +62,8 @@ class Simulation::Parts {
   Seat& free_seat(Role role, const std::string& solid) {
     require(case_.has_fluid() || role != Role::fluid, "the case has no [fluid]: nobody can compute it");
     require(case_.has_solid() || role != Role::solid, "the case has no [solid]: nobody can compute it");
+    require(role != Role::fluid || solid.empty(), "\"{}\" is the name of a structure, not of the fluid",
+            solid);
     require(!coupler_, "the simulation has begun: who computes it cannot be chosen any more");
     Seat& seat = role == Role::fluid ? fluid_ : seat_of(solid);
     require(!seat.taken(), "the {} has a solver already", seat.name);

@@ -176,6 +176,8 @@ TEST(Simulation, GivesEachOfSeveralStructuresASolverByItsName) {
               ThrowsMessage<Error>("the case has several [[solid]]: name one of hull, panel"));
   EXPECT_THAT([&] { named.here(moving_plate(0), "keel"); },
               ThrowsMessage<Error>("the case has several [[solid]]: name one of hull, panel, not \"keel\""));
+  EXPECT_THAT([&] { named.in_process(Role::fluid, "", {.solid = "hull"}); },
+              ThrowsMessage<Error>("\"hull\" is the name of a structure, not of the fluid"));
   EXPECT_THAT([&] { one.here(moving_plate(0), "hull"); },
               ThrowsMessage<Error>(HasSubstr("the case has one [solid]")));
 }
