@@ -43,6 +43,7 @@ std::size_t Gate::most() {
 void Gate::came(int connection) {
   connections_.insert(connection);
   strangers_[connection] = Clock::now();
+  if (shut_) end(connection);  // it came just before
   update();
 }
 
@@ -57,17 +58,23 @@ bool Gate::has_strangers() {
   return !strangers_.empty();
 }
 
-/// ZeroMQ's thread may have closed one just now, and something else may have its number: hence the port.
 void Gate::cut_off() {
   if (descriptor_ < 0 || !has_strangers()) return;
   for (const auto& [connection, since] : strangers_)
-    if (port_of(connection) == port_of(descriptor_) && bytes_from(connection) > most_of_a_stranger)
-      shutdown(connection, SHUT_RDWR);
+    if (bytes_from(connection) > most_of_a_stranger) end(connection);
 }
 
-void Gate::shut() {
+void Gate::shut(int peer) {
+  strangers_.erase(peer);
   shut_ = true;
   update();
+  for (const int connection : connections_)
+    if (connection != peer) end(connection);
+}
+
+/// ZeroMQ's thread may have closed it just now, and something else may have its number: only the port tells.
+void Gate::end(int connection) const {
+  if (descriptor_ >= 0 && port_of(connection) == port_of(descriptor_)) shutdown(connection, SHUT_RDWR);
 }
 
 /// ZeroMQ cannot stop to listen without closing the connections that it has made. So the system is told to

@@ -8,11 +8,11 @@
 
 namespace cosurge {
 
-/// Lets few connections wait for their handshake at a time, and none come once the gate is shut. A connection
-/// that comes to a closed gate gets no answer from the system; it succeeds by one of its repetitions where
-/// the gate opens again. Whoever
-/// sends much more than a handshake without having shown the key is cut off: ZeroMQ would keep as much as a
-/// message may have.
+/// Lets few connections wait for their handshake at a time, and none but the peer's stay once the gate is
+/// shut. A connection that comes to a closed gate gets no answer from the system; it succeeds by one of its
+/// repetitions where the gate opens again. The gate closes when its owner has told it of the connections:
+/// more may come until then. Whoever sends much more than a handshake without having shown the key is cut
+/// off: ZeroMQ would keep as much as a message may have.
 class Gate {
  public:
   /// Connections at a time: a quarter of the files that this process may open, 256 at most.
@@ -27,9 +27,6 @@ class Gate {
   void came(int connection);
   void left(int connection);
 
-  /// The connection has shown its key.
-  void trust(int connection) { strangers_.erase(connection); }
-
   /// Whether any connection is so young that it may not have shown its key.
   bool has_strangers();
 
@@ -38,12 +35,14 @@ class Gate {
 
   bool knows(int connection) const { return connections_.contains(connection); }
 
-  /// For good: connections that have been made stay.
-  void shut();
+  /// For good: only `peer`, which has shown its key, stays. All others are closed, so that their descriptors
+  /// are free for the run.
+  void shut(int peer);
 
  private:
   using Clock = std::chrono::steady_clock;
 
+  void end(int connection) const;
   void update();
 
   int descriptor_ = -1;

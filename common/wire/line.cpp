@@ -155,9 +155,8 @@ bool Line::take(zmq::message_t& message) {
     // A stranger may have left from the same descriptor just before.
     read_news();
     peer_descriptor_ = zmq_msg_get(message.handle(), ZMQ_SRCFD);
-    gate_.trust(peer_descriptor_);
     if (!gate_.knows(peer_descriptor_)) loss_ = "the connection was lost: the peer has ended";
-    gate_.shut();
+    gate_.shut(peer_descriptor_);
   }
   return true;
 }
