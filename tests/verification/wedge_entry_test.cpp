@@ -33,14 +33,15 @@ TEST(WedgeEntry, AWedgeHasTheForceOfASimilarObstacle) {
   const double body =
       force({"fluid.obstacle=[]", "solid.model=rigid", "solid.density=500",
              "solid.body=[{ " + shape + ", motion = { table = \"entry.csv\", along = \"y\" } }]"});
-  const double dropped = force({"fluid.obstacle=[]", "solid.model=sprung", "solid.density=500",
-                                "solid.sprung.mass=1e5", "solid.sprung.spring=[{ motion = \"y\" }]",
-                                "solid.body=[{ " + shape + ", velocity = [0.0, -5.0] }]"});
+  const double dropped =
+      force({"fluid.obstacle=[]", "solid.model=sprung", "solid.density=500", "solid.sprung.mass=1e5",
+             "solid.sprung.spring=[{ motion = \"y\", preload = 981000 }]",
+             "solid.body=[{ " + shape + ", velocity = [0.0, -5.0] }]"});
   RecordProperty("force", fmt::format("{:.4g} {:.4g} {:.4g}", obstacle, body, dropped));
-  // The faces of a body are stepped. Without the rate of bodies and with normals of the steps it was 1.6
-  // times.
-  EXPECT_NEAR(body, obstacle, 0.08 * obstacle);
-  EXPECT_NEAR(dropped, body, 0.02 * body);
+  // The faces of a body are stepped on the lattice. Where the steps had normals of their own, the body
+  // had 1.6 times the force on 5 mm.
+  EXPECT_NEAR(body, obstacle, 0.1 * obstacle);
+  EXPECT_NEAR(dropped, body, 0.02 * body);  // its weight is balanced
 }
 
 }  // namespace
