@@ -46,6 +46,7 @@ class DrivenBox : public testing::Test {
     const v1::Solid solid =
         clamped ? test::solid_of(box, {box_of({0.2, 0.3}, {0.4, 0.34})}) : test::solid_of(box, {});
     auto mps = test::mps_of<2>(fluid, &solid, {0, 0});
+    (void)mps.step(0, 1e-6);
     Particles<2> particles = mps.particles();
     std::vector<std::int32_t> place(static_cast<std::size_t>(mps.bodies().points()));
     const int first = mps.initial_size() - mps.bodies().points();
