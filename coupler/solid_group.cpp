@@ -36,8 +36,7 @@ auto with_name(const std::string& name, const Action& action) {
 /// The points on the bodies of one structure, with the numbers that these bodies have in its own case.
 Interface interface_of(const v1::Case& the_case, const Interface& all, int solid,
                        std::vector<Eigen::Index>& points) {
-  int first = 0;
-  for (int k = 0; k < solid; ++k) first += the_case.solids(k).body_size();
+  const int first = first_body(the_case, solid);
   Interface part{.dimension = all.dimension, .position = {}, .area = {}, .body = {}};
   for (Eigen::Index p = 0; p < all.points(); ++p) {
     const int body = all.body[static_cast<std::size_t>(p)] - first;
@@ -188,10 +187,8 @@ void SolidGroup::watch(const Window& window, const InterfaceMotion& motion, Repo
   std::vector<std::string> place;
   for (const double x : places.col(overlap->first)) place.push_back(fmt::format("{:.4g}", x));
   report.notes.push_back(fmt::format(
-      "warning: {} and {} overlap at ({}) m at t = {:.4g} s: structures do not feel each other's contact; "
-      "bodies that "
-      "can "
-      "collide belong into one structure",
+      "warning: {} and {} overlap at ({}) m at t = {:.4g} s: structures do not feel each other's "
+      "contact; bodies that can collide belong into one structure",
       name(overlap->first), name(overlap->second), fmt::join(place, ", "), window.start + window.size));
 }
 

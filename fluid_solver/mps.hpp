@@ -126,7 +126,7 @@ class Mps {
   void correct(double dt);
   void shift(double dt);
   StepReport survey(double end, double dt);
-  double longest_step(double speed, double wall_speed) const;
+  double longest_step(double speed, double driven) const;
   void check_bounds(int water, int which, double fastest, double end) const;
 
   static constexpr double answers_to_walls = 15;  // of the source while a wall moves by a spacing, eq. (6c)

@@ -52,15 +52,15 @@ StepReport Mps<dim>::survey(double end, double dt) {
           .max_window = std::min(flight, longest_step(fastest_bound, std::max(driven_speed_, wall_speed)))};
 }
 
-/// Eq. (17) but for free flight, for water, walls and bodies of at most `speed` and walls of at most
-/// `wall_speed` [m/s].
+/// Eq. (17) but for free flight, for water, walls and bodies of at most `speed`, and for walls and
+/// bodies that are driven into the water at most at `driven` [m/s].
 template <int dim>
-double Mps<dim>::longest_step(double speed, double wall_speed) const {
+double Mps<dim>::longest_step(double speed, double driven) const {
   const double spacing = water_.spacing;
   const double gravity = std::sqrt(spacing / std::max(water_.gravity.norm(), 1e-12));
   const double viscous = 0.2 * spacing * spacing / std::max(water_.kinematic_viscosity, 1e-12);
-  const double courant = answers_to_walls * wall_speed > propagation_speed_ ? water_.method.courant_driven
-                                                                            : water_.method.courant;
+  const double courant =
+      answers_to_walls * driven > propagation_speed_ ? water_.method.courant_driven : water_.method.courant;
   const double advective = courant * spacing / std::max(speed, 1e-12);
   const double longest = std::min({advective, viscous, courant * gravity});
   if (!open_surface()) return longest;

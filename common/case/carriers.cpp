@@ -15,11 +15,16 @@ bool same(const v1::WallMotion& a, const v1::WallMotion& b) {
   return a.SerializeAsString() == b.SerializeAsString();
 }
 
+template <int dim>
+Vec<dim> middle_of(const v1::Shape& clamp) {
+  const Box<dim> bounds = from_case<dim>(clamp).bounds();
+  return 0.5 * (bounds.min + bounds.max);
+}
+
 /// The number of the obstacle that the middle of a clamp lies in, or -1.
 template <int dim>
 int obstacle_at(const v1::Fluid& fluid, const v1::Shape& clamp) {
-  const Box<dim> bounds = from_case<dim>(clamp).bounds();
-  const Vec<dim> middle = 0.5 * (bounds.min + bounds.max);
+  const Vec<dim> middle = middle_of<dim>(clamp);
   for (int o = 0; o < fluid.obstacle_size(); ++o)
     if (from_case<dim>(fluid.obstacle(o).shape()).contains(middle)) return o;
   return -1;
@@ -28,8 +33,7 @@ int obstacle_at(const v1::Fluid& fluid, const v1::Shape& clamp) {
 /// The number of the body of another structure that the middle of a clamp lies in, or -1.
 template <int dim>
 int other_body_at(const v1::Case& the_case, const v1::Body& body, const v1::Shape& clamp) {
-  const Box<dim> bounds = from_case<dim>(clamp).bounds();
-  const Vec<dim> middle = 0.5 * (bounds.min + bounds.max);
+  const Vec<dim> middle = middle_of<dim>(clamp);
   for (int b = 0; b < the_case.solid().body_size(); ++b) {
     const v1::Body& other = the_case.solid().body(b);
     if (other.solid() != body.solid() && from_case<dim>(shape_of(other)).contains(middle)) return b;

@@ -10,13 +10,6 @@
 namespace cosurge {
 namespace {
 
-/// Number of the first body of a structure among the bodies of all.
-int first_body(const v1::Case& the_case, int solid) {
-  int first = 0;
-  for (int k = 0; k < solid; ++k) first += the_case.solids(k).body_size();
-  return first;
-}
-
 /// Replaces what a pattern finds; `replaced` makes the new text of a match.
 template <typename Replace>
 std::string replace_all(const std::string& text, const std::regex& pattern, const Replace& replaced) {
@@ -34,6 +27,12 @@ std::vector<std::string> solid_names(const v1::Case& the_case) {
   for (const v1::Solid& solid : the_case.solids()) names.push_back(solid.name());
   if (names.empty() && the_case.has_solid()) names.emplace_back("solid");
   return names;
+}
+
+int first_body(const v1::Case& the_case, int solid) {
+  int first = 0;
+  for (int k = 0; k < solid; ++k) first += the_case.solids(k).body_size();
+  return first;
 }
 
 const v1::Solid& solid_of(const v1::Case& the_case, const v1::Body& body) {

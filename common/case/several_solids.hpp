@@ -16,6 +16,9 @@ std::vector<std::string> solid_names(const v1::Case& the_case);
 /// The structure that a body of `the_case.solid()` belongs to.
 const v1::Solid& solid_of(const v1::Case& the_case, const v1::Body& body);
 
+/// Number of the first body of a structure among those of `the_case.solid()`.
+int first_body(const v1::Case& the_case, int solid);
+
 /// Gives `the_case.solid()` the bodies of all [[solid]], one structure after the other. A single [[solid]]
 /// becomes [solid].
 void join_solids(v1::Case& the_case);

@@ -114,7 +114,7 @@ template <int dim>
 Vec<dim> Motion<dim>::velocity(const Vec<dim>& X, double t) const {
   if (!moves()) return Vec<dim>::Zero();
   constexpr double dt = 1e-6;  // s: far below any motion's time, far above rounding
-  if (t == 0) return (place(X, dt) - X) / dt;
+  if (t < dt) return (place(X, t + dt) - place(X, t)) / dt;  // a formula is not defined before t = 0
   return (place(X, t + dt) - place(X, t - dt)) / (2 * dt);
 }
 

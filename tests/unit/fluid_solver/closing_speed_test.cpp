@@ -58,9 +58,14 @@ class DrivenBox : public testing::Test {
     }
     const auto faces = mps.bodies().deformed(Field::Zero(2, mps.bodies().points()));
     return closing_speed<2>({.bodies = mps.bodies(), .normal = faces.normal, .place = place}, particles,
-                            mps.neighbors(), mps.walls(), 0, 1e-3);
+                            mps.neighbors(), mps.walls(), 1e-3, 1e-3);
   }
 };
+
+TEST_F(DrivenBox, ClosesOnWaterAtRestAtItsSpeedAcrossTheFace) {
+  EXPECT_NEAR(closes({0, -3}, {0, 0}), 3, 1e-9);
+  EXPECT_LT(closes({0, 3}, {0, 0}), 1e-9);  // it leaves
+}
 
 TEST_F(DrivenBox, ThatIsAtRestIsNotDriven) { EXPECT_LT(closes({0, 0}, {0, 3}), 1e-9); }
 
