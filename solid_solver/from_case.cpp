@@ -58,6 +58,10 @@ SprungParameters<dim> sprung_from_case(const v1::SolidSprung& sprung) {
   return made;
 }
 
+FemParameters fem_from_case(const v1::SolidFem& fem) {
+  return {.rho_infinity = fem.rho_infinity(), .substep = fem.substep()};
+}
+
 template <int dim>
 typename Structure<dim>::Model model_from_case(const v1::Solid& solid) {
   switch (solid.model()) {
@@ -70,9 +74,12 @@ typename Structure<dim>::Model model_from_case(const v1::Solid& solid) {
       return HamiltonianParameters{.particles = particles_from_case(solid.hamiltonian()),
                                    .stabilisation = solid.hamiltonian().stabilisation()};
     case v1::SolidModel::fem:
-      return FemParameters{.rho_infinity = solid.fem().rho_infinity(), .substep = solid.fem().substep()};
+      return fem_from_case(solid.fem());
     case v1::SolidModel::modal:
       return ModalParameters{.modes = solid.modal().modes()};
+    case v1::SolidModel::auto_:
+      return AutomaticParameters{.fem = fem_from_case(solid.fem()),
+                                 .modal = {.modes = solid.modal().modes()}};
     case v1::SolidModel::rigid:
       return RigidParameters{};
     case v1::SolidModel::sprung:

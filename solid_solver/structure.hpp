@@ -57,6 +57,12 @@ struct ModalParameters {
   int modes;  ///< number of modes of each body
 };
 
+/// The model `auto`: modes while they are valid, finite elements otherwise.
+struct AutomaticParameters {
+  FemParameters fem;
+  ModalParameters modal;
+};
+
 /// The model `rigid`: fixed bodies.
 struct RigidParameters {};
 
@@ -81,7 +87,7 @@ struct SprungParameters {
 template <int dim>
 struct Structure {
   using Model = std::variant<MpsParameters, HamiltonianParameters, FemParameters, ModalParameters,
-                             RigidParameters, SprungParameters<dim>>;
+                             AutomaticParameters, RigidParameters, SprungParameters<dim>>;
 
   Model model;
   double spacing;  ///< spacing of particles, and of the points of frames [m]

@@ -137,9 +137,11 @@ void check_solid(const v1::Case& c, CaseErrors& errors) {
                fmt::format("missing, the model {} needs it", v1::SolidModel::Word_Name(solid.model())));
   const double spacing = solid.has_spacing() ? solid.spacing() : c.fluid().spacing();
   const double fluid_spacing = c.has_fluid() ? c.fluid().spacing() : spacing;
-  if (solid.material() == v1::Solid::neo_hookean && solid.model() != v1::SolidModel::fem && deformable)
-    errors.add("solid.material", fmt::format("neo_hookean is available for the model fem only, not for {}",
-                                             v1::SolidModel::Word_Name(solid.model())));
+  const bool by_elements = solid.model() == v1::SolidModel::fem || solid.model() == v1::SolidModel::auto_;
+  if (solid.material() == v1::Solid::neo_hookean && !by_elements && deformable)
+    errors.add("solid.material",
+               fmt::format("neo_hookean is available for the models fem and auto only, not for {}",
+                           v1::SolidModel::Word_Name(solid.model())));
   // Layers, so that water on one side does not see water on the other.
   const double fewest = std::max(3.0, c.has_fluid() ? std::ceil(c.fluid().re_laplacian()) - 1 : 0.0);
   const std::vector<NamedBox> bounds = body_bounds(solid, c.dimension());

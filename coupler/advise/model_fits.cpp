@@ -71,6 +71,14 @@ Fit fem(const v1::Case& the_case) {
   return {.name = "fem", .fits = true, .why = "any deflection, no limit on the sub-step (docs/stability.md)"};
 }
 
+Fit automatic(const v1::Case& the_case) {
+  if (!the_case.solid().has_young_modulus()) return {.name = "auto", .why = no_modulus};
+  return {
+      .name = "auto",
+      .fits = true,
+      .why = "modal while it measures that the deflection is small and its modes are enough, fem otherwise"};
+}
+
 /// Explicit particles: sub-steps of about 0.7 l0 / c_p, as sound may cross a spacing in one.
 Fit particles(const v1::Case& the_case, const SceneNumbers& scene, const std::string& name) {
   const v1::Solid& solid = the_case.solid();
@@ -101,6 +109,7 @@ Fit sprung(const v1::Solid& solid) {
 std::vector<Fit> model_fits(const v1::Case& the_case, const SceneNumbers& scene) {
   return {sprung(the_case.solid()),
           rigid(the_case, scene),
+          automatic(the_case),
           modal(the_case, scene),
           fem(the_case),
           particles(the_case, scene, "mps"),

@@ -23,6 +23,7 @@ bool late(const v1::Coupling& coupling) {
 bool has_free_waves(const v1::Solid& solid) {
   switch (solid.model()) {
     case v1::SolidModel::fem:
+    case v1::SolidModel::auto_:
       return solid.fem().rho_infinity() > damped;
     case v1::SolidModel::mps:
       return solid.mps().viscosity() < viscous;
@@ -33,9 +34,13 @@ bool has_free_waves(const v1::Solid& solid) {
   }
 }
 
+bool is_of_particles(const v1::Solid& solid) {
+  return solid.model() == v1::SolidModel::mps || solid.model() == v1::SolidModel::hamiltonian;
+}
+
 bool is_continuum(const v1::Solid& solid) {
-  return solid.model() == v1::SolidModel::fem || solid.model() == v1::SolidModel::mps ||
-         solid.model() == v1::SolidModel::hamiltonian;
+  return solid.model() == v1::SolidModel::fem || solid.model() == v1::SolidModel::auto_ ||
+         is_of_particles(solid);
 }
 
 /// Why waves through the thickness make a scheme unstable; empty if they do not. `iterates`: a scheme with
@@ -44,7 +49,7 @@ std::string waves(const v1::Case& the_case, const SceneNumbers& scene, bool iter
   const v1::Solid& solid = the_case.solid();
   const auto gain = scene.largest(&BodyNumbers::gain);
   const bool impulsive = the_case.fluid().source() != v1::Fluid::time_scale && is_continuum(solid);
-  const bool particles = solid.model() != v1::SolidModel::fem && has_free_waves(solid);
+  const bool particles = is_of_particles(solid) && has_free_waves(solid);
   const double limit = particles && !iterates ? gain_limit_of_particles : gain_limit;
   const bool open = iterates ? particles || (impulsive && the_case.fluid().source() == v1::Fluid::deviation)
                              : impulsive || has_free_waves(solid);

@@ -1,5 +1,6 @@
 #include "solid_solver/models/make_model.hpp"
 
+#include "solid_solver/models/automatic/automatic_model.hpp"
 #include "solid_solver/models/fem/fem_model.hpp"
 #include "solid_solver/models/hamiltonian/hamiltonian_body.hpp"
 #include "solid_solver/models/modal/modal_model.hpp"
@@ -26,6 +27,9 @@ struct Maker {
   }
   Made operator()(const ModalParameters& modal) const {
     return std::make_unique<modal::ModalModel<dim>>(structure, modal);
+  }
+  Made operator()(const AutomaticParameters& automatic) const {
+    return std::make_unique<automatic::AutomaticModel<dim>>(structure, automatic);
   }
   Made operator()(const RigidParameters&) const { return std::make_unique<RigidModel<dim>>(structure); }
   Made operator()(const SprungParameters<dim>& sprung) const {

@@ -1,6 +1,5 @@
 #include "solid_solver/models/fem/fem_model.hpp"
 
-#include <Eigen/IterativeLinearSolvers>
 #include <algorithm>
 #include <cmath>
 
@@ -95,13 +94,8 @@ typename FemModel<dim>::Vectors FemModel<dim>::velocities() const {
 }
 
 template <int dim>
-Field FemModel<dim>::acceleration_by(const Field& load) const {
-  Vectors all;
-  for (std::size_t b = 0; b < motions_.size(); ++b) {
-    Eigen::ConjugateGradient<Matrix, Eigen::Lower> mass(bodies_.bodies()[b].mass());
-    all.emplace_back(mass.solve(bodies_.of_body(b, load)));
-  }
-  return bodies_.to_nodes(all);
+void FemModel<dim>::place(const Vectors& displacements, const Vectors& velocities) {
+  for (std::size_t b = 0; b < motions_.size(); ++b) motions_[b].place(displacements[b], velocities[b]);
 }
 
 template <int dim>

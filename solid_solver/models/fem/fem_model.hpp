@@ -28,7 +28,7 @@ class FemModel : public SolidModel {
   Field displacement() const override { return bodies_.to_nodes(displacements()); }
   Field velocity() const override { return bodies_.to_nodes(velocities()); }
   Field ramp_increment() const override { return bodies_.to_nodes(ramp_increment_); }
-  Field acceleration_by(const Field& load) const override;
+  Field acceleration_by(const Field& load) const override { return bodies_.acceleration_by(load); }
   NodeLayout layout() const override { return bodies_.layout(); }
   Field inertia(const Field& acceleration) const override { return bodies_.inertia(acceleration); }
   double max_speed() const override { return bodies_.max_speed(velocities()); }
@@ -42,11 +42,14 @@ class FemModel : public SolidModel {
   void restore(const std::string& state) override;
   Snapshot frame() const override { return bodies_.frame(displacements(), velocities()); }
 
- private:
   using Vectors = typename MeshedBodies<dim>::Vectors;
 
+  // The motion over the unknowns of the bodies, in [m] and [m/s].
   Vectors displacements() const;
   Vectors velocities() const;
+  void place(const Vectors& displacements, const Vectors& velocities);
+
+ private:
   void check_step(const NewtonReport& report, const Window& window, std::size_t body, double dt) const;
 
   MeshedBodies<dim> bodies_;

@@ -1,5 +1,6 @@
 #include "solid_solver/models/fem/meshed_bodies.hpp"
 
+#include <Eigen/IterativeLinearSolvers>
 #include <algorithm>
 #include <cmath>
 
@@ -73,6 +74,16 @@ NodeLayout MeshedBodies<dim>::layout() const {
   }
   for (const Site& site : sites_) layout.particle_body.push_back(static_cast<int>(site.body));
   return layout;
+}
+
+template <int dim>
+Field MeshedBodies<dim>::acceleration_by(const Field& load) const {
+  Vectors all;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    Eigen::ConjugateGradient<Matrix, Eigen::Lower> mass(bodies_[b].mass());
+    all.emplace_back(mass.solve(of_body(b, load)));
+  }
+  return to_nodes(all);
 }
 
 template <int dim>

@@ -33,6 +33,7 @@ class MeshedBodies {
 
   NodeLayout layout() const;
   Field inertia(const Field& acceleration) const;  ///< M a over all nodes [N]
+  Field acceleration_by(const Field& load) const;  ///< M^-1 f at the nodes, zero where they are held [m/s2]
 
   /// Largest over all bodies.
   typename FemBody<dim>::Deformation deformation(const Vectors& u) const;

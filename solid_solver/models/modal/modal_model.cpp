@@ -39,7 +39,7 @@ int ModalModel<dim>::advance(const Window& window, const NodalLoad& load) {
     for (std::size_t i = 0; i < states_[b].size(); ++i, ++step)
       step->advance(states_[b][i], first[static_cast<long>(i)], last[static_cast<long>(i)]);
   }
-  bodies_.check_motion(window, motion(&OscillatorState::velocity));
+  bodies_.check_motion(window, velocities());
   return 1;
 }
 
@@ -53,6 +53,31 @@ typename ModalModel<dim>::Vectors ModalModel<dim>::motion(double OscillatorState
     all.emplace_back(modes_[b].shapes * amplitudes);
   }
   return all;
+}
+
+template <int dim>
+void ModalModel<dim>::place(const Vectors& displacements, const Vectors& velocities) {
+  for (std::size_t b = 0; b < modes_.size(); ++b) {
+    const fem::FemBody<dim>& body = bodies_.bodies()[b];
+    const fem::Vector position = modes_[b].shapes.transpose() * body.momentum(displacements[b]);
+    const fem::Vector velocity = modes_[b].shapes.transpose() * body.momentum(velocities[b]);
+    for (std::size_t i = 0; i < states_[b].size(); ++i) {
+      const auto mode = static_cast<Eigen::Index>(i);
+      states_[b][i] = {.position = position[mode], .velocity = velocity[mode]};
+    }
+  }
+}
+
+template <int dim>
+bool ModalModel<dim>::has_free_motion() const {
+  return std::any_of(modes_.begin(), modes_.end(),
+                     [](const Modes& modes) { return modes.omega_squared.minCoeff() <= 0; });
+}
+
+template <int dim>
+fem::Vector ModalModel<dim>::deflection(std::size_t b, const fem::Vector& force) const {
+  const Modes& modes = modes_[b];
+  return modes.shapes * (modes.shapes.transpose() * force).cwiseQuotient(modes.omega_squared);
 }
 
 template <int dim>
@@ -97,7 +122,7 @@ Energies ModalModel<dim>::energies() const {
 
 template <int dim>
 std::vector<double> ModalModel<dim>::values() const {
-  const auto largest = bodies_.deformation(motion(&OscillatorState::position));
+  const auto largest = bodies_.deformation(displacements());
   return {largest.rotation, largest.strain, largest_deflection()};
 }
 

@@ -27,13 +27,13 @@ class ModalModel : public SolidModel {
 
   /// One step, the window, under the linear load itself.
   int advance(const Window& window, const NodalLoad& load) override;
-  Field displacement() const override { return bodies_.to_nodes(motion(&OscillatorState::position)); }
-  Field velocity() const override { return bodies_.to_nodes(motion(&OscillatorState::velocity)); }
+  Field displacement() const override { return bodies_.to_nodes(displacements()); }
+  Field velocity() const override { return bodies_.to_nodes(velocities()); }
   Field ramp_increment() const override { return bodies_.to_nodes(motion(&OscillatorState::ramp_increment)); }
   Field acceleration_by(const Field& load) const override;
   NodeLayout layout() const override { return bodies_.layout(); }
   Field inertia(const Field& acceleration) const override { return bodies_.inertia(acceleration); }
-  double max_speed() const override { return bodies_.max_speed(motion(&OscillatorState::velocity)); }
+  double max_speed() const override { return bodies_.max_speed(velocities()); }
   Energies energies() const override;
 
   std::vector<NodalMode> modes(int count) const override;
@@ -46,13 +46,25 @@ class ModalModel : public SolidModel {
 
   std::string save() const override;
   void restore(const std::string& state) override;
-  Snapshot frame() const override {
-    return bodies_.frame(motion(&OscillatorState::position), motion(&OscillatorState::velocity));
-  }
+  Snapshot frame() const override { return bodies_.frame(displacements(), velocities()); }
 
- private:
   using Vectors = typename fem::MeshedBodies<dim>::Vectors;
 
+  const fem::MeshedBodies<dim>& bodies() const { return bodies_; }
+
+  // The motion over the unknowns of the bodies, in [m] and [m/s].
+  Vectors displacements() const { return motion(&OscillatorState::position); }
+  Vectors velocities() const { return motion(&OscillatorState::velocity); }
+  /// The part of a motion that the modes have.
+  void place(const Vectors& displacements, const Vectors& velocities);
+
+  /// Whether a body can move as a whole.
+  bool has_free_motion() const;
+
+  /// Displacement of body b under constant forces on its unknowns [m]; no free motion.
+  fem::Vector deflection(std::size_t b, const fem::Vector& force) const;
+
+ private:
   void prepare_steps(double h);
   double largest_deflection() const;
 

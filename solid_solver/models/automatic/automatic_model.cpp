@@ -1,0 +1,204 @@
+#include "solid_solver/models/automatic/automatic_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "common/error.hpp"
+#include "common/state_bytes.hpp"
+
+namespace cosurge::automatic {
+namespace {
+
+constexpr double limit = 0.02;         // of nonlinearity and truncation
+constexpr double small = 0.5 * limit;  // of both, for a return to modes
+constexpr double lost = 0.01;          // largest part of displacement and energy that a return may lose
+constexpr int most_windows = 20;       // between two measurements
+// A measurement is repeated when the displacement has grown by this factor, or so far that the limit may be
+// near: both values are at most proportional to it.
+constexpr double least_growth = 1.1, most_growth = 10, share = 0.5;
+
+double growth(double value) { return std::clamp(share * limit / value, least_growth, most_growth); }
+
+template <int dim>
+double largest_of(const fem::FemBody<dim>& body, const fem::Vector& u) {
+  return body.to_nodes(u).colwise().norm().maxCoeff();
+}
+
+double largest_force(const NodalLoad& load) {
+  return std::max(load.first.lpNorm<Eigen::Infinity>(), load.last.lpNorm<Eigen::Infinity>());
+}
+
+double ratio(double part, double whole) { return whole > 0 ? part / whole : 0; }
+
+}  // namespace
+
+template <int dim>
+AutomaticModel<dim>::AutomaticModel(const Structure<dim>& structure, const AutomaticParameters& parameters)
+    : structure_(structure),
+      parameters_(parameters),
+      modal_(structure, parameters.modal),
+      only_elements_(modal_.has_free_motion()) {
+  const auto& bodies = modal_.bodies().bodies();
+  watch_.largest = fem::Vector::Zero(static_cast<Eigen::Index>(bodies.size()));
+  if (only_elements_) {
+    fem_.emplace(structure_, parameters_.fem);
+    notes_.push_back("a body can move as a whole: the model auto uses fem");
+    return;
+  }
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    theories_.emplace_back(bodies[b]);
+    period_ = std::max(period_, 2 * std::numbers::pi / std::sqrt(modal_.modes(b).omega_squared.minCoeff()));
+  }
+}
+
+template <int dim>
+int AutomaticModel<dim>::advance(const Window& window, const NodalLoad& load) {
+  ++watch_.windows;
+  if (!only_elements_ && fem_) take_modes_if_valid(window, load);
+  if (fem_) {
+    watch_.quiet += window.size;
+    return fem_->advance(window, load);
+  }
+  const std::string start = modal_.save();
+  modal_.advance(window, load);
+  if (!is_due(load)) return 1;
+  measure(modal_.displacements(), load);
+  const std::string reason = exceeded();
+  if (reason.empty()) return 1;
+  modal_.restore(start);
+  take_elements(window, reason);
+  return fem_->advance(window, load);
+}
+
+template <int dim>
+bool AutomaticModel<dim>::is_due(const NodalLoad& load) const {
+  return watch_.windows >= most_windows || modal_.energies().elastic > watch_.energy ||
+         largest_force(load) > watch_.force;
+}
+
+template <int dim>
+void AutomaticModel<dim>::measure(const Vectors& displacements, const NodalLoad& load) {
+  const auto& bodies = modal_.bodies().bodies();
+  watch_.nonlinearity = watch_.truncation = 0;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const fem::FemBody<dim>& body = bodies[b];
+    const auto changed = largest_of(body, theories_[b].correction(displacements[b]));
+    watch_.nonlinearity = std::max(watch_.nonlinearity, ratio(changed, largest_of(body, displacements[b])));
+    const fem::Vector force = modal_.bodies().of_body(b, load.last) + body.weight();
+    const fem::Vector all = theories_[b].deflection(force);
+    double& largest = watch_.largest[static_cast<Eigen::Index>(b)];
+    largest = std::max(largest, largest_of(body, all));
+    const auto missing = largest_of(body, fem::Vector(all - modal_.deflection(b, force)));
+    watch_.truncation = std::max(watch_.truncation, ratio(missing, largest));
+  }
+  const double displacement_growth = growth(watch_.nonlinearity);
+  watch_.energy = displacement_growth * displacement_growth * modal_.energies().elastic;
+  watch_.force = growth(watch_.truncation) * largest_force(load);
+  watch_.windows = 0;
+}
+
+/// What is wrong with the modes; empty if nothing is.
+template <int dim>
+std::string AutomaticModel<dim>::exceeded() const {
+  if (watch_.nonlinearity > limit)
+    return fmt::format(
+        "the deflection is no longer small: the nonlinear one differs by about {:.2g} %, limit {:g} %",
+        100 * watch_.nonlinearity, 100 * limit);
+  if (watch_.truncation > limit)
+    return fmt::format("{} modes are not enough: they lack {:.2g} % of the static deflection, limit {:g} %",
+                       parameters_.modal.modes, 100 * watch_.truncation, 100 * limit);
+  return {};
+}
+
+template <int dim>
+void AutomaticModel<dim>::take_elements(const Window& window, const std::string& reason) {
+  fem_.emplace(structure_, parameters_.fem);
+  fem_->place(modal_.displacements(), modal_.velocities());
+  watch_.quiet = 0;
+  tell(window.start,
+       fmt::format("model auto: fem instead of modal from t = {:.6g} s: {}", window.start, reason));
+}
+
+template <int dim>
+void AutomaticModel<dim>::take_modes_if_valid(const Window& window, const NodalLoad& load) {
+  if (watch_.windows <= most_windows) return;
+  const Vectors u = fem_->displacements();
+  modal_.place(u, fem_->velocities());
+  measure(u, load);
+  const Vectors kept = modal_.displacements();
+  double left = 0;
+  for (std::size_t b = 0; b < u.size(); ++b) {
+    const fem::FemBody<dim>& body = modal_.bodies().bodies()[b];
+    left = std::max(left, ratio(largest_of(body, fem::Vector(u[b] - kept[b])), largest_of(body, u[b])));
+  }
+  const Energies of_elements = fem_->energies(), of_modes = modal_.energies();
+  const double energy = of_elements.kinetic + of_elements.elastic;
+  const double energy_lost = std::abs(energy - of_modes.kinetic - of_modes.elastic);
+  const bool valid = watch_.nonlinearity < small && watch_.truncation < small && left < lost &&
+                     ratio(energy_lost, energy) < lost;
+  if (!valid) watch_.quiet = 0;
+  if (watch_.quiet < period_) return;
+  fem_.reset();
+  tell(window.start,
+       fmt::format("model auto: modal instead of fem from t = {:.6g} s: the deflection has been small for "
+                   "a period of {:.3g} s",
+                   window.start, period_));
+}
+
+template <int dim>
+void AutomaticModel<dim>::tell(double time, const std::string& note) {
+  if (time == told_) return;
+  told_ = time;
+  notes_.push_back(note);
+}
+
+template <int dim>
+std::vector<NodalMode> AutomaticModel<dim>::modes(int count) const {
+  if (only_elements_) return {};
+  return modal_.modes(count);
+}
+
+template <int dim>
+std::vector<double> AutomaticModel<dim>::values() const {
+  return {fem_ ? 1.0 : 0.0, watch_.nonlinearity, watch_.truncation};
+}
+
+template <int dim>
+std::string AutomaticModel<dim>::save() const {
+  StateWriter state;
+  state.put(fem_.has_value());
+  state.put(active().save());
+  for (const double value :
+       {watch_.nonlinearity, watch_.truncation, watch_.energy, watch_.force, watch_.quiet})
+    state.put(value);
+  state.put(watch_.windows);
+  state.put(watch_.largest);
+  return state.take();
+}
+
+template <int dim>
+void AutomaticModel<dim>::restore(const std::string& text) {
+  StateReader state(text);
+  bool elements = false;
+  std::string motion;
+  state.get(elements);
+  state.get(motion);
+  if (elements && !fem_) fem_.emplace(structure_, parameters_.fem);
+  if (!elements) fem_.reset();
+  if (elements)
+    fem_->restore(motion);
+  else
+    modal_.restore(motion);
+  for (double* value :
+       {&watch_.nonlinearity, &watch_.truncation, &watch_.energy, &watch_.force, &watch_.quiet})
+    state.get(*value);
+  state.get(watch_.windows);
+  state.get(watch_.largest);
+  state.finish();
+}
+
+template class AutomaticModel<2>;
+template class AutomaticModel<3>;
+
+}  // namespace cosurge::automatic
