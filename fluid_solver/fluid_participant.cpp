@@ -131,7 +131,9 @@ class FluidParticipant::SceneOf : public Scene {
       density.values[id] = static_cast<float>(particles.n[i] / mps_.n0());
       kind.values[id] = static_cast<float>(particles.kind[i]);
     }
-    return {position, velocity, pressure, density, kind};
+    Snapshot arrays;  // a list in braces would copy them
+    for (Array* array : {&position, &velocity, &pressure, &density, &kind}) arrays.push_back(std::move(*array));
+    return arrays;
   }
 
  private:

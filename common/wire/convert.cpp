@@ -211,21 +211,14 @@ Report decode(const v1::Advanced& message, std::size_t columns) {
           .notes = std::move(notes)};
 }
 
-void encode(const Snapshot& snapshot, v1::Snapshot& message) {
-  for (const Array& array : snapshot) {
-    v1::Array& sent = *message.add_arrays();
-    sent.set_name(array.name);
-    sent.set_unit(array.unit);
-    sent.set_components(static_cast<std::uint32_t>(array.components));
-    sent.mutable_values()->Assign(array.values.begin(), array.values.end());
-  }
+void require_few_arrays(int count) {
+  require(count <= most_arrays, "{} arrays in a frame, must be <= {}", count, most_arrays);
 }
 
 Snapshot decode(const v1::Snapshot& message) {
   constexpr std::uint32_t most_components = 9;  // a tensor
   Snapshot snapshot;
-  require(message.arrays_size() <= most_arrays, "{} arrays in a frame, must be <= {}", message.arrays_size(),
-          most_arrays);
+  require_few_arrays(message.arrays_size());
   for (const v1::Array& array : message.arrays()) {
     require_name(array.name(), "array");
     const std::uint32_t components = array.components();

@@ -37,7 +37,8 @@ void encode(const Report& report, v1::Advanced& message);
 /// `columns`: number of columns in the setup.
 Report decode(const v1::Advanced& message, std::size_t columns);
 
-void encode(const Snapshot& snapshot, v1::Snapshot& message);
 Snapshot decode(const v1::Snapshot& message);
+/// @throws Error where a frame has more arrays than any needs.
+void require_few_arrays(int count);
 
 }  // namespace cosurge

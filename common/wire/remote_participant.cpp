@@ -9,6 +9,7 @@
 
 #include "common/version.hpp"
 #include "common/wire/convert.hpp"
+#include "common/wire/parts.hpp"
 #include "common/wire/wire_words.hpp"
 
 namespace cosurge {
@@ -161,6 +162,7 @@ Setup RemoteParticipant::initialize_by(const v1::Case& the_case, const Give& giv
     take(initialized);
     Setup setup = decode(initialized);
     columns_ = setup.columns.size();
+    particles_ = setup.particles;
     return setup;
   });
 }
@@ -217,24 +219,64 @@ Report RemoteSolid::advance(const Window& window, const InterfaceLoad& load, Int
 
 std::string RemoteParticipant::save() {
   return call("save", [&] {
-    request_.mutable_save();
-    exchange(Reply::kSaved);
-    return std::move(*reply_.mutable_saved()->mutable_state());
+    std::string state;
+    bool more = true;
+    while (more) {
+      request_.mutable_save();
+      exchange(Reply::kSaved);
+      v1::Saved& part = *reply_.mutable_saved();
+      more = part.more();
+      require_part(more, part.state().size(), state.size(), "state");
+      if (state.empty())
+        state = std::move(*part.mutable_state());
+      else
+        state += part.state();
+    }
+    return state;
   });
 }
 
 void RemoteParticipant::restore(const std::string& state) {
   call("restore", [&] {
-    request_.mutable_restore()->set_state(state);
-    return exchange(Reply::kDone).sequence();
+    StateParts parts(state);
+    bool last = false;
+    while (!last) {
+      last = parts.next(*request_.mutable_restore());
+      exchange(Reply::kDone);
+    }
+    return 0;
   });
 }
 
 Snapshot RemoteParticipant::frame() {
   return call("frame", [&] {
-    request_.mutable_frame();
-    return decode(exchange(Reply::kSnapshot).snapshot());
+    Snapshot frame;
+    std::size_t bytes = 0;
+    bool more = true;
+    while (more) {
+      request_.mutable_frame();
+      const v1::Snapshot& part = exchange(Reply::kSnapshot).snapshot();
+      more = part.more();
+      require_part(more, part.ByteSizeLong(), bytes, "frame");
+      bytes += part.ByteSizeLong();
+      append(decode(part), frame);
+      require_few_arrays(static_cast<int>(frame.size()));
+    }
+    return frame;
   });
+}
+
+/// A state or a frame must end, and not exceed what the solver's particles need.
+void RemoteParticipant::require_part(bool more, std::size_t bytes, std::size_t before,
+                                     const char* what) const {
+  constexpr std::size_t most_per_particle = 4096, least_limit = std::size_t{1} << 28;
+  require(bytes > 0 || !more, "it sends an empty part of a {}, and says that more will follow", what);
+  const std::size_t most =
+      particles_ < std::numeric_limits<std::size_t>::max() / (2 * most_per_particle)
+          ? least_limit + most_per_particle * particles_
+          : least_limit;
+  require(before + bytes <= most, "its {} exceeds {} bytes, the limit for {} particles", what, most,
+          particles_);
 }
 
 void RemoteParticipant::finalize() {

@@ -70,6 +70,7 @@ class RemoteParticipant : public virtual Participant {
   template <typename Call>
   auto call(std::string place, Call&& content);
   const v1::Reply& exchange(v1::Reply::ResultCase expected);
+  void require_part(bool more, std::size_t bytes, std::size_t before, const char* what) const;
 
   Channel channel_;
   Identity identity_;
@@ -80,6 +81,7 @@ class RemoteParticipant : public virtual Participant {
   std::uint64_t sequence_ = 0;
   std::uint32_t attempt_ = 0;  // number of the last window's attempt
   std::size_t columns_ = 0;
+  std::uint64_t particles_ = 0;
   Cost cost_;
 };
 

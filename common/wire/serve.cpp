@@ -68,11 +68,12 @@ v1::Reply failure(const std::string& what, bool numerical) {
 
 }  // namespace
 
-Service::Service(Participant& participant, std::string token)
+Service::Service(Participant& participant, std::string token, std::size_t part)
     : participant_(participant),
       side_(side_of(participant)),
       identity_(participant.identity()),
-      token_(std::move(token)) {}
+      token_(std::move(token)),
+      part_(part) {}
 
 v1::Reply Service::hello() const {
   v1::Reply reply;
@@ -104,21 +105,42 @@ v1::Reply Service::answer(const Request& request) {
 }
 
 void Service::dispatch(const Request& request, v1::Reply& reply) {
+  // Another call ends a state or a frame that is underway.
+  if (!request.has_save()) state_parts_.reset();
+  if (!request.has_frame()) frame_parts_.reset();
+  if (!request.has_restore()) arriving_.clear();
   if (request.has_advance()) {
     advance(request.advance(), reply);
   } else if (request.has_save()) {
-    reply.mutable_saved()->set_state(timed(reply, [&] { return participant_.save(); }));
+    save(reply);
   } else if (request.has_frame()) {
-    encode(timed(reply, [&] { return participant_.frame(); }), *reply.mutable_snapshot());
+    frame(reply);
   } else if (request.has_initialize()) {
     initialize(request.initialize(), reply);
   } else {
     if (request.has_welcome()) welcome(request.welcome());
-    if (request.has_restore()) participant_.restore(request.restore().state());
+    if (request.has_restore()) restore(request.restore());
     remembered_.Clear();
     if (request.has_finalize()) participant_.finalize();
     reply.mutable_done();
   }
+}
+
+void Service::save(v1::Reply& reply) {
+  if (!state_parts_) state_parts_.emplace(timed(reply, [&] { return participant_.save(); }), part_);
+  if (state_parts_->next(*reply.mutable_saved())) state_parts_.reset();
+}
+
+void Service::frame(v1::Reply& reply) {
+  if (!frame_parts_) frame_parts_.emplace(timed(reply, [&] { return participant_.frame(); }), part_);
+  if (frame_parts_->next(*reply.mutable_snapshot())) frame_parts_.reset();
+}
+
+void Service::restore(const v1::Restore& request) {
+  arriving_ += request.state();
+  if (request.more()) return;
+  participant_.restore(arriving_);
+  arriving_.clear();
 }
 
 void Service::welcome(const v1::Welcome& request) const {

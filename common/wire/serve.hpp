@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "common/participant.hpp"
 #include "common/wire/channel.hpp"
+#include "common/wire/parts.hpp"
 #include "common/wire/side.hpp"
 #include "proto/exchange.pb.h"
 
@@ -23,7 +25,8 @@ class Service {
  public:
   enum class State { greeted, welcomed, running, over };
 
-  Service(Participant& participant, std::string token);
+  /// `part`: largest part of a state or frame [bytes].
+  Service(Participant& participant, std::string token, std::size_t part = part_bytes);
 
   v1::Reply hello() const;
 
@@ -39,6 +42,9 @@ class Service {
   void initialize(const v1::Initialize& request, v1::Reply& reply);
   void advance(const v1::Advance& request, v1::Reply& reply);
   void check_attempt(const v1::Window& window);
+  void save(v1::Reply& reply);
+  void frame(v1::Reply& reply);
+  void restore(const v1::Restore& request);
 
   Participant& participant_;
   std::unique_ptr<Side> side_;
@@ -46,6 +52,10 @@ class Service {
   std::string token_;
   State state_ = State::greeted;
   std::uint64_t sequence_ = 0;
+  std::size_t part_;
+  std::optional<StateParts> state_parts_;  // of a state that is being given out
+  std::optional<FrameParts> frame_parts_;  // of a frame that is being given out
+  std::string arriving_;                   // the parts of a state so far
   v1::Window remembered_;  // that may be gone through again; attempt 0: none
 };
 

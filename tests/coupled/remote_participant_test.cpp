@@ -99,6 +99,26 @@ TEST(RemoteParticipant, ContinuesFromASavedState) {
   EXPECT_EQ(remote.advance().values, once.values);
 }
 
+TEST(RemoteParticipant, StatesAndFramesMayBeLargerThanAMessage) {
+  // 80 MB of a frame, 160 MB of a state.
+  auto mock = testing::water_column(piston);
+  MockFluid& fluid = *mock;
+  Remote remote(std::move(mock));
+  remote.initialize();
+  fluid.state.resize(20'000'000);
+  for (std::size_t k = 0; k < fluid.state.size(); ++k) fluid.state[k] = 0.5 * static_cast<double>(k);
+  const std::vector<double> sent = fluid.state;
+  const std::string state = remote.participant.save();
+  EXPECT_TRUE(state == fluid.save());
+  const Snapshot frame = remote.participant.frame();
+  ASSERT_EQ(frame.size(), 1U);
+  EXPECT_TRUE(frame[0].values == std::vector<float>(sent.begin(), sent.end()));
+  fluid.state.assign(sent.size(), 0);
+  remote.participant.restore(state);
+  EXPECT_TRUE(fluid.state == sent);
+  EXPECT_LT(remote.participant.cost().bytes / remote.participant.cost().messages, std::size_t{1} << 26);
+}
+
 TEST(RemoteParticipant, NamesSolverFieldPointAndWindowOfANumberThatIsNotFinite) {
   Remote remote(with_advance([](const Window&, const InterfaceMotion&, InterfaceLoad& load) {
     load.force(0, 2) = std::numeric_limits<double>::quiet_NaN();

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double limit = 0.02;         // of nonlinearity and truncation
 constexpr double small = 0.5 * limit;  // of both, for a return to modes
-constexpr double lost = 0.01;          // largest part of displacement and energy that a return may lose
-constexpr int most_windows = 20;       // between two measurements
+constexpr double lost = 1e-3;     // largest part of displacement and energy so far that a return may lose
+constexpr int most_windows = 20;  // between two measurements
 // A measurement is repeated when the displacement has grown by this factor, or so far that the limit may be
 // near: both values are at most proportional to it.
 constexpr double least_growth = 1.1, most_growth = 10, share = 0.5;
@@ -31,6 +31,17 @@ double largest_force(const NodalLoad& load) {
 
 double ratio(double part, double whole) { return whole > 0 ? part / whole : 0; }
 
+/// Difference of the nonlinear from the linear displacement under the same forces, over the latter: the
+/// estimate if that is below the limit, which it exceeds too early.
+template <int dim>
+double nonlinearity(const fem::FemBody<dim>& body, const LinearTheory<dim>& theory, const fem::Vector& u) {
+  const double largest = largest_of(body, u);
+  const double estimate = ratio(largest_of(body, theory.correction(u)), largest);
+  if (estimate <= limit) return estimate;
+  const std::optional<fem::Vector> nonlinear = theory.nonlinear(u);
+  return nonlinear ? ratio(largest_of(body, fem::Vector(*nonlinear - u)), largest) : estimate;
+}
+
 }  // namespace
 
 template <int dim>
@@ -40,7 +51,7 @@ AutomaticModel<dim>::AutomaticModel(const Structure<dim>& structure, const Autom
       modal_(structure, parameters.modal),
       only_elements_(modal_.has_free_motion()) {
   const auto& bodies = modal_.bodies().bodies();
-  watch_.largest = fem::Vector::Zero(static_cast<Eigen::Index>(bodies.size()));
+  watch_.deflection = watch_.displacement = fem::Vector::Zero(static_cast<Eigen::Index>(bodies.size()));
   if (only_elements_) {
     fem_.emplace(structure_, parameters_.fem);
     notes_.push_back("a body can move as a whole: the model auto uses fem");
@@ -83,11 +94,10 @@ void AutomaticModel<dim>::measure(const Vectors& displacements, const NodalLoad&
   watch_.nonlinearity = watch_.truncation = 0;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const fem::FemBody<dim>& body = bodies[b];
-    const auto changed = largest_of(body, theories_[b].correction(displacements[b]));
-    watch_.nonlinearity = std::max(watch_.nonlinearity, ratio(changed, largest_of(body, displacements[b])));
+    watch_.nonlinearity = std::max(watch_.nonlinearity, nonlinearity(body, theories_[b], displacements[b]));
     const fem::Vector force = modal_.bodies().of_body(b, load.last) + body.weight();
     const fem::Vector all = theories_[b].deflection(force);
-    double& largest = watch_.largest[static_cast<Eigen::Index>(b)];
+    double& largest = watch_.deflection[static_cast<Eigen::Index>(b)];
     largest = std::max(largest, largest_of(body, all));
     const auto missing = largest_of(body, fem::Vector(all - modal_.deflection(b, force)));
     watch_.truncation = std::max(watch_.truncation, ratio(missing, largest));
@@ -114,7 +124,11 @@ std::string AutomaticModel<dim>::exceeded() const {
 template <int dim>
 void AutomaticModel<dim>::take_elements(const Window& window, const std::string& reason) {
   fem_.emplace(structure_, parameters_.fem);
-  fem_->place(modal_.displacements(), modal_.velocities());
+  // A body that has been bent by modes is stretched: the nonlinear displacement has nearly the same energy.
+  Vectors displacements = modal_.displacements();
+  for (std::size_t b = 0; b < displacements.size(); ++b)
+    if (const auto nonlinear = theories_[b].nonlinear(displacements[b])) displacements[b] = *nonlinear;
+  fem_->place(displacements, modal_.velocities());
   watch_.quiet = 0;
   tell(window.start,
        fmt::format("model auto: fem instead of modal from t = {:.6g} s: {}", window.start, reason));
@@ -126,17 +140,7 @@ void AutomaticModel<dim>::take_modes_if_valid(const Window& window, const NodalL
   const Vectors u = fem_->displacements();
   modal_.place(u, fem_->velocities());
   measure(u, load);
-  const Vectors kept = modal_.displacements();
-  double left = 0;
-  for (std::size_t b = 0; b < u.size(); ++b) {
-    const fem::FemBody<dim>& body = modal_.bodies().bodies()[b];
-    left = std::max(left, ratio(largest_of(body, fem::Vector(u[b] - kept[b])), largest_of(body, u[b])));
-  }
-  const Energies of_elements = fem_->energies(), of_modes = modal_.energies();
-  const double energy = of_elements.kinetic + of_elements.elastic;
-  const double energy_lost = std::abs(energy - of_modes.kinetic - of_modes.elastic);
-  const bool valid = watch_.nonlinearity < small && watch_.truncation < small && left < lost &&
-                     ratio(energy_lost, energy) < lost;
+  const bool valid = watch_.nonlinearity < small && watch_.truncation < small && loses_little(u);
   if (!valid) watch_.quiet = 0;
   if (watch_.quiet < period_) return;
   fem_.reset();
@@ -144,6 +148,23 @@ void AutomaticModel<dim>::take_modes_if_valid(const Window& window, const NodalL
        fmt::format("model auto: modal instead of fem from t = {:.6g} s: the deflection has been small for "
                    "a period of {:.3g} s",
                    window.start, period_));
+}
+
+/// Whether the modes have nearly all of the motion of the elements, whose displacements are u.
+template <int dim>
+bool AutomaticModel<dim>::loses_little(const Vectors& u) {
+  const Vectors kept = modal_.displacements();
+  bool little = true;
+  for (std::size_t b = 0; b < u.size(); ++b) {
+    const fem::FemBody<dim>& body = modal_.bodies().bodies()[b];
+    double& largest = watch_.displacement[static_cast<Eigen::Index>(b)];
+    largest = std::max(largest, largest_of(body, u[b]));
+    little = little && largest_of(body, fem::Vector(u[b] - kept[b])) <= lost * largest;
+  }
+  const Energies elements = fem_->energies(), modes = modal_.energies();
+  const double energy = elements.kinetic + elements.elastic;
+  watch_.energy_before = std::max(watch_.energy_before, energy);
+  return little && std::abs(energy - modes.kinetic - modes.elastic) <= lost * watch_.energy_before;
 }
 
 template <int dim>
@@ -169,11 +190,12 @@ std::string AutomaticModel<dim>::save() const {
   StateWriter state;
   state.put(fem_.has_value());
   state.put(active().save());
-  for (const double value :
-       {watch_.nonlinearity, watch_.truncation, watch_.energy, watch_.force, watch_.quiet})
+  for (const double value : {watch_.nonlinearity, watch_.truncation, watch_.energy, watch_.force,
+                             watch_.quiet, watch_.energy_before})
     state.put(value);
   state.put(watch_.windows);
-  state.put(watch_.largest);
+  state.put(watch_.deflection);
+  state.put(watch_.displacement);
   return state.take();
 }
 
@@ -190,11 +212,12 @@ void AutomaticModel<dim>::restore(const std::string& text) {
     fem_->restore(motion);
   else
     modal_.restore(motion);
-  for (double* value :
-       {&watch_.nonlinearity, &watch_.truncation, &watch_.energy, &watch_.force, &watch_.quiet})
+  for (double* value : {&watch_.nonlinearity, &watch_.truncation, &watch_.energy, &watch_.force,
+                        &watch_.quiet, &watch_.energy_before})
     state.get(*value);
   state.get(watch_.windows);
-  state.get(watch_.largest);
+  state.get(watch_.deflection);
+  state.get(watch_.displacement);
   state.finish();
 }
 

@@ -12,11 +12,11 @@
 namespace cosurge::automatic {
 
 /// Computes with `modal` as long as its two assumptions hold, and with `fem` on the same elements otherwise
-/// (docs/method_solid.md, section 12): nonlinearity, the change of the displacement by one Newton step from
-/// the linear balance, and truncation, the part of the static deflection that the modes do not have, both
-/// over the largest displacement. A window in which one of them exceeds its limit is computed again by `fem`,
-/// from the state at its start. `modal` takes over again after both have been small for a period. Bodies that
-/// can move as a whole are computed by `fem`.
+/// (docs/method_solid.md, section 14): nonlinearity, the difference of the
+/// displacement from the nonlinear one under the same forces, and truncation, the part of the static
+/// deflection that the modes do not have, both over the largest displacement. A window in which one of them
+/// exceeds its limit is computed again by `fem`, from the state at its start. `modal` takes over again after
+/// both have been small for a period. Bodies that can move as a whole are computed by `fem`.
 template <int dim>
 class AutomaticModel : public SolidModel {
  public:
@@ -59,11 +59,13 @@ class AutomaticModel : public SolidModel {
   struct Watch {
     double nonlinearity = 0;
     double truncation = 0;
-    double energy = 0;         // elastic energy from which on it is repeated [J]
-    double force = 0;          // the same for the largest force on a node [N]
-    int windows = 0;           // since then
-    double quiet = 0;          // for how long both have been small [s]
-    fem::Vector largest = {};  // largest static deflection of each body so far [m]
+    double energy = 0;              // elastic energy from which on it is repeated [J]
+    double force = 0;               // the same for the largest force on a node [N]
+    int windows = 0;                // since then
+    double quiet = 0;               // for how long both have been small [s]
+    double energy_before = 0;       // largest kinetic and elastic energy while elements computed [J]
+    fem::Vector deflection = {};    // largest static deflection of each body so far [m]
+    fem::Vector displacement = {};  // largest displacement of each body while elements computed [m]
   };
 
   const SolidModel& active() const {
@@ -75,6 +77,7 @@ class AutomaticModel : public SolidModel {
   void take_elements(const Window& window, const std::string& reason);
   /// At the start of a window.
   void take_modes_if_valid(const Window& window, const NodalLoad& load);
+  bool loses_little(const Vectors& u);
   void tell(double time, const std::string& note);
 
   Structure<dim> structure_;

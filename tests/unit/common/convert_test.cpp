@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "common/error.hpp"
+#include "common/wire/parts.hpp"
 
 namespace cosurge {
 namespace {
@@ -187,7 +188,7 @@ TEST(Report, HasOneFiniteValueAColumn) {
 
 TEST(Snapshot, ComesBackAndMustHaveWholeParticlesOfFiniteNumbers) {
   v1::Snapshot message;
-  encode(Snapshot{{.name = "velocity", .unit = "m/s", .components = 2, .values = {1, 2, 3, 4}}}, message);
+  FrameParts({{.name = "velocity", .unit = "m/s", .components = 2, .values = {1, 2, 3, 4}}}).next(message);
   const Snapshot received = decode(message);
   EXPECT_EQ(received.at(0).name, "velocity");
   EXPECT_EQ(received.at(0).components, 2);

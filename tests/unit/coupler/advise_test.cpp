@@ -131,9 +131,9 @@ TEST(SceneNumbers, OfTheSoftFloor) {
 
 TEST(Fits, ModelsOfPlatesFollowTheirDeflection) {
   EXPECT_THAT(fitting(model_fits(plate(1e6), plate_numbers(1e6))),
-              ::testing::ElementsAre("fem", "mps", "hamiltonian"));
+              ::testing::ElementsAre("auto", "fem", "mps", "hamiltonian"));
   EXPECT_THAT(fitting(model_fits(plate(2e9), plate_numbers(2e9))),
-              ::testing::ElementsAre("modal", "fem", "mps", "hamiltonian"));
+              ::testing::ElementsAre("auto", "modal", "fem", "mps", "hamiltonian"));
   EXPECT_TRUE(of(model_fits(plate(2e11), plate_numbers(2e11)), "rigid").fits);
   EXPECT_THAT(of(model_fits(plate(1e6), plate_numbers(1e6)), "modal").why,
               HasSubstr("102 % of the longest side"));
@@ -172,7 +172,7 @@ TEST(Fits, SourcesThatMakeASoftPlateUnstableAreTold) {
     const v1::Case soft = plate(1e6, {fmt::format("fluid.source={}", source)});
     const SceneNumbers scene = scene_numbers(soft, bending(1e6));
     EXPECT_EQ(fitting(scheme_fits(soft, scene)), schemes) << source;
-    EXPECT_THAT(recommendation(soft, scene), HasSubstr("Use the source time_scale, the model fem")) << source;
+    EXPECT_THAT(recommendation(soft, scene), HasSubstr("Use the source time_scale, the model auto")) << source;
   }
 }
 
@@ -197,18 +197,18 @@ TEST(Fits, WavesThroughTheThicknessFollowTheTableOfFinerLattices) {
 }
 
 TEST(Recommendation, NamesTheCheapestModelAndAStableScheme) {
-  EXPECT_THAT(recommendation(plate(1e6), plate_numbers(1e6)), HasSubstr("model fem and the scheme auto"));
-  EXPECT_THAT(recommendation(plate(2e9), plate_numbers(2e9)), HasSubstr("model modal and the scheme auto"));
+  EXPECT_THAT(recommendation(plate(1e6), plate_numbers(1e6)), HasSubstr("model auto and the scheme auto"));
+  EXPECT_THAT(recommendation(plate(2e9), plate_numbers(2e9)), HasSubstr("model auto and the scheme auto"));
   // Its displacement is asked for by a probe; without one, a plate of steel is rigid.
   v1::Case steel = plate(2e11);
-  EXPECT_THAT(recommendation(steel, plate_numbers(2e11)), HasSubstr("model modal"));
+  EXPECT_THAT(recommendation(steel, plate_numbers(2e11)), HasSubstr("model auto"));
   steel.mutable_output()->clear_probe();
   EXPECT_THAT(recommendation(steel, plate_numbers(2e11)), HasSubstr("model rigid and the scheme weak"));
   const v1::Case piston = scene_of("sprung_piston"), floor = scene_of("soft_floor");
   EXPECT_THAT(recommendation(piston, scene_numbers(piston, 2.449)),
               AllOf(HasSubstr("model sprung and the scheme weak"), HasSubstr("1.5")));
   EXPECT_THAT(recommendation(floor, scene_numbers(floor, 159.9)),
-              HasSubstr("model modal and the scheme strong with coupling.velocity = \"end\""));
+              HasSubstr("model auto and the scheme strong with coupling.velocity = \"end\""));
 }
 
 TEST(CoarseSpacings, AreWarnedOfWithOneThatIsFineEnough) {
