@@ -105,7 +105,8 @@ std::vector<double> column(const H5::H5File& file, const std::string& name, std:
   return first_rows(dataset, rows);
 }
 
-/// Checks that an array has frames as the recorder writes them, and no more numbers than the memory of a large machine.
+/// Checks that an array has frames as the recorder writes them, and no more numbers than the memory of a
+/// large machine.
 void require_frames(const std::vector<hsize_t>& size, const std::string& place) {
   constexpr hsize_t most = hsize_t{1} << 32;
   const bool array = size.size() == 2 || (size.size() == 3 && size[2] > 0);

@@ -31,7 +31,7 @@ template <int dim>
 Vec<dim> collision(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i,
                    const CollisionLaw& law) {
   Vec<dim> change = Vec<dim>::Zero();
-  neighbors.each(particles, i, [&](int j, const Vec<dim>& x_ij, double r) {
+  neighbors.each_weighted(particles, i, [&](int j, const Vec<dim>& x_ij, double r, double) {
     const Vec<dim>& n = particles.normal[j];
     if (!n.isZero()) {  // a face has many particles: the velocity change by the others already counts
       const double approach = (particles.u[j] - particles.u[i] - change).dot(n);

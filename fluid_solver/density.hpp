@@ -22,7 +22,8 @@ void density_and_free_surface(Particles<dim>& particles, const Neighbors<dim>& n
 /// The same number density, and as free surface only what can have no pressure: lone drops with at most `few`
 /// neighbours, and points of walls and bodies without water within r_e. For the pressure equation with an
 /// OpenSurface.
+/// @return the smooth density, eq. (2b) with this radius, of each particle with a pressure, by place [-]
 template <int dim>
-void density_and_lone_particles(Particles<dim>& particles, const Neighbors<dim>& neighbors);
+std::vector<double> density_and_lone_particles(Particles<dim>& particles, const Neighbors<dim>& neighbors);
 
 }  // namespace cosurge::fluid

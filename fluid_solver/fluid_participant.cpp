@@ -132,7 +132,8 @@ class FluidParticipant::SceneOf : public Scene {
       kind.values[id] = static_cast<float>(particles.kind[i]);
     }
     Snapshot arrays;  // a list in braces would copy them
-    for (Array* array : {&position, &velocity, &pressure, &density, &kind}) arrays.push_back(std::move(*array));
+    for (Array* array : {&position, &velocity, &pressure, &density, &kind})
+      arrays.push_back(std::move(*array));
     return arrays;
   }
 

@@ -136,7 +136,10 @@ void Mps<dim>::advance_to_pressure(double start, double dt) {
 /// particles of a surface with pressure separate: they use P = 0 on flagged particles, as Amaro & Cheng.
 template <int dim>
 void Mps<dim>::find_free_surface() {
-  if (open_surface()) return density_and_lone_particles(particles_, neighbors_);
+  if (open_surface()) {
+    smooth_density_ = density_and_lone_particles(particles_, neighbors_);
+    return;
+  }
   density_and_free_surface(
       particles_, neighbors_, reference_.n0,
       {.beta = water_.method.free_surface.beta, .delta = water_.method.free_surface.delta * water_.spacing});
@@ -274,9 +277,10 @@ Vec<dim> Mps<dim>::pressure_gradient(int i) const {
     case Gradient::conserving:
       return gradient_conserving<dim>(particles_, neighbors_, i, reference_.n0,
                                       water_.density * water_.gravity, water_.method.lowest_pressure);
-    case Gradient::corrected:
-      return gradient_corrected(particles_, neighbors_, i, reference_.n0) +
-             repulsion(particles_, neighbors_, i, reference_.n0);
+    case Gradient::corrected: {
+      const auto [gradient, repulsion] = gradient_corrected(particles_, neighbors_, i, reference_.n0);
+      return gradient + repulsion;
+    }
   }
   return Vec<dim>::Zero();
 }

@@ -105,7 +105,6 @@ class Mps {
   bool may_cover() const { return bodies_.points() > 0 || walls_.moves(); }
   double restitution() const;
   double near_deviation(int i) const;
-  double near_smooth_deviation(int i) const;
   double unbiased_deviation(int i, double smooth) const;
   Rates rates(double dt) const;
   double response_time(double dt) const;
@@ -157,6 +156,7 @@ class Mps {
   std::vector<int> seen_;                      // the point whose velocity the water sees in each body point
   std::vector<Cover> covers_;                  // covered walls, by place
   std::vector<Vec<dim>> areas_;                // A by place, for the pressure equation
+  std::vector<double> smooth_density_;         // with the small radius and an open surface, by place [-]
   std::vector<Vec<dim>> change_;               // velocity change since the prediction, by place
   std::vector<Vec<dim>> push_;                 // velocity change by the pressure, by place
   std::vector<double> source_;                 // source of the pressure equation, by place

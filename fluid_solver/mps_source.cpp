@@ -6,7 +6,6 @@
 #include "fluid_solver/mps.hpp"
 #include "fluid_solver/operators.hpp"
 #include "fluid_solver/pressure/source.hpp"
-#include "fluid_solver/weight.hpp"
 
 namespace cosurge::fluid {
 
@@ -105,16 +104,6 @@ double Mps<dim>::near_deviation(int i) const {
   return particles_.n[i] / reference_.n0 - 1;
 }
 
-/// The same deviation from the smooth density of the small radius, eq. (2b).
-template <int dim>
-double Mps<dim>::near_smooth_deviation(int i) const {
-  double smooth = 1;
-  neighbors_.each(particles_, i, [&](int, const Vec<dim>&, double r) {
-    smooth += smooth_share(weight(r, neighbors_.re()));
-  });
-  return smooth / reference_.smooth0 - 1;
-}
-
 /// Disorder raises the number density of the small radius by 4 to 6 %, and water that is kept to it swells by
 /// as much; the smooth density is off by less than 0.2 %, and by eq. (2c) by a third of that. The small
 /// radius serves beside the free surface, where the smooth density of the large one is not known; beside an
@@ -124,7 +113,7 @@ template <int dim>
 double Mps<dim>::unbiased_deviation(int i, double smooth) const {
   if (particles_.kind[i] != Kind::fluid) return 0;
   if (!open_surface()) return std::isnan(smooth) ? near_deviation(i) : smooth;
-  const double near = near_smooth_deviation(i);
+  const double near = smooth_density_[static_cast<std::size_t>(i)] / reference_.smooth0 - 1;
   if (std::isnan(smooth)) return std::max(0.0, near);
   // Deviation caused by disorder: that of the large radius divided by that of the small one. A deviation
   // above `most` is not disorder but a gap or a jam.

@@ -42,9 +42,18 @@ void Neighbors<dim>::rebuild(Particles<dim>& particles) {
             static_cast<std::int64_t>((x[j] - x[i]).squaredNorm() < re2) & static_cast<std::int64_t>(j != i);
       }
     });
+    for (std::int64_t k = place; dim == 2 && k < place + count; ++k) {
+      const auto at = static_cast<std::size_t>(k);
+      distance_[at] = (x[index_[at]] - x[i]).norm();
+      weight_[at] = weight(distance_[at], re_);
+    }
     return count;
   };
-  const auto prepare = [&](std::int64_t entries) { index_.make_room(static_cast<std::size_t>(entries)); };
+  const auto prepare = [&](std::int64_t entries) {
+    const auto room = static_cast<std::size_t>(entries);
+    index_.make_room(room);
+    if (dim == 2) distance_.make_room(room), weight_.make_room(room);
+  };
   rows_.fill(particles.size(), expected_neighbors(dim), most_entries(dim), prepare, list);
 }
 

@@ -5,6 +5,7 @@
 #include "fluid_solver/particles.hpp"
 #include "fluid_solver/rows.hpp"
 #include "fluid_solver/unfilled.hpp"
+#include "fluid_solver/weight.hpp"
 
 namespace cosurge::fluid {
 
@@ -33,6 +34,21 @@ class Neighbors {
     }
   }
 
+  /// The same with the weight: visit(j, x_ij, r, w). Particles must be where they were in rebuild(). In two
+  /// dimensions r and w are listed: there are few, and seven sums a step use them.
+  template <typename Visit>
+  void each_weighted(const Particles<dim>& particles, int i, Visit&& visit) const {
+    if constexpr (dim == 2) {
+      for (std::int64_t k = rows_.begin(i); k < rows_.end(i); ++k) {
+        const auto at = static_cast<std::size_t>(k);
+        const std::int32_t j = index_[at];
+        visit(j, Vec<dim>(particles.x[j] - particles.x[i]), distance_[at], weight_[at]);
+      }
+    } else {
+      each(particles, i, [&](int j, const Vec<dim>& x_ij, double r) { visit(j, x_ij, r, weight(r, re_)); });
+    }
+  }
+
   int count(int i) const { return static_cast<int>(rows_.end(i) - rows_.begin(i)); }
 
  private:
@@ -40,6 +56,7 @@ class Neighbors {
   CellGrid<dim> grid_;
   Rows rows_;
   Unfilled<std::int32_t> index_;
+  Unfilled<double> distance_, weight_;  // in two dimensions
 };
 
 }  // namespace cosurge::fluid

@@ -15,11 +15,11 @@ Vec<dim> gradient_p_min(const Particles<dim>& particles, const Neighbors<dim>& n
   double p_min = 0;
   Vec<dim> sum = Vec<dim>::Zero();
   Vec<dim> directions = Vec<dim>::Zero();
-  neighbors.each(particles, i, [&](int j, const Vec<dim>& x_ij, double r) {
+  neighbors.each_weighted(particles, i, [&](int j, const Vec<dim>& x_ij, double r, double w) {
     if (!has_pressure(particles.kind[j])) return;
     const double p_ij = particles.p[j] - p_i;
     p_min = std::min(p_min, p_ij);
-    const Vec<dim> direction = weight(r, neighbors.re()) / (r * r) * x_ij;
+    const Vec<dim> direction = w / (r * r) * x_ij;
     sum += p_ij * direction;
     directions += direction;
   });
@@ -31,39 +31,33 @@ Vec<dim> gradient_conserving(const Particles<dim>& particles, const Neighbors<di
                              double n0, const Vec<dim>& rho_g, double lowest) {
   const double p_i = particles.p[i];
   Vec<dim> sum = Vec<dim>::Zero();
-  neighbors.each(particles, i, [&](int j, const Vec<dim>& x_ij, double r) {
+  neighbors.each_weighted(particles, i, [&](int j, const Vec<dim>& x_ij, double r, double w) {
     const double p_j =
         has_pressure(particles.kind[j]) ? particles.p[j] : std::max(lowest, p_i + rho_g.dot(x_ij));
-    sum += (p_j + p_i) * weight(r, neighbors.re()) / (r * r) * x_ij;
+    sum += (p_j + p_i) * w / (r * r) * x_ij;
   });
   return dim / n0 * sum;
 }
 
 template <int dim>
-Vec<dim> gradient_corrected(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i,
-                            double n0) {
-  Vec<dim> sum = Vec<dim>::Zero();
+CorrectedGradient<dim> gradient_corrected(const Particles<dim>& particles, const Neighbors<dim>& neighbors,
+                                          int i, double n0) {
+  const double p_i = particles.p[i];
+  double lowest = p_i;
+  Vec<dim> sum = Vec<dim>::Zero(), directions = Vec<dim>::Zero();
   Mat<dim> moments = Mat<dim>::Zero();
-  neighbors.each(particles, i, [&](int j, const Vec<dim>& x_ij, double r) {
+  neighbors.each_weighted(particles, i, [&](int j, const Vec<dim>& x_ij, double r, double w) {
+    const Vec<dim> direction = w / (r * r) * x_ij;
+    directions += direction;
     if (!has_pressure(particles.kind[j])) return;
-    const Vec<dim> direction = weight(r, neighbors.re()) / (r * r) * x_ij;
-    sum += (particles.p[j] - particles.p[i]) * direction;
+    lowest = std::min(lowest, particles.p[j]);
+    sum += (particles.p[j] - p_i) * direction;
     moments += direction * x_ij.transpose();
   });
   moments *= dim / n0;  // identity on the lattice
   constexpr double flat = 0.05;
-  return dim / n0 * (moments.determinant() > flat ? Vec<dim>(moments.inverse() * sum) : sum);
-}
-
-template <int dim>
-Vec<dim> repulsion(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i, double n0) {
-  double lowest = particles.p[i];
-  Vec<dim> directions = Vec<dim>::Zero();
-  neighbors.each(particles, i, [&](int j, const Vec<dim>& x_ij, double r) {
-    if (has_pressure(particles.kind[j])) lowest = std::min(lowest, particles.p[j]);
-    directions += weight(r, neighbors.re()) / (r * r) * x_ij;
-  });
-  return dim / n0 * (particles.p[i] - lowest) * directions;
+  return {.gradient = dim / n0 * (moments.determinant() > flat ? Vec<dim>(moments.inverse() * sum) : sum),
+          .repulsion = dim / n0 * (p_i - lowest) * directions};
 }
 
 template <int dim>
@@ -84,10 +78,10 @@ double near_divergence(const Particles<dim>& particles, const std::vector<Vec<di
   const auto kicked = [&](int k) { return particles.kind[k] == Kind::fluid ? 0.0 : 1.0; };
   const bool on_body = of_body(particles.kind[i]);
   double sum = 0;
-  neighbors.each(particles, i, [&](int j, const Vec<dim>& x_ij, double r) {
+  neighbors.each_weighted(particles, i, [&](int j, const Vec<dim>& x_ij, double r, double w) {
     if (on_body && of_body(particles.kind[j])) return;
     const Vec<dim> u_ij = velocity[j] - velocity[i] + (kicked(j) - kicked(i)) * kick;
-    sum += u_ij.dot(x_ij) * weight(r, neighbors.re()) / (r * r);
+    sum += u_ij.dot(x_ij) * w / (r * r);
   });
   return dim / n0 * sum;
 }
@@ -97,7 +91,7 @@ double approach_speed(const Particles<dim>& particles, const Neighbors<dim>& nei
                       const Vec<dim>& kick) {
   const bool water = particles.kind[i] == Kind::fluid;
   double fastest = 0;
-  neighbors.each(particles, i, [&](int j, const Vec<dim>& x_ij, double r) {
+  neighbors.each_weighted(particles, i, [&](int j, const Vec<dim>& x_ij, double r, double) {
     const bool water_j = particles.kind[j] == Kind::fluid;
     if (!water && !water_j) return;
     Vec<dim> u_ij = particles.u[j] - particles.u[i];
@@ -112,8 +106,8 @@ template <int dim>
 Vec<dim> velocity_laplacian(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i,
                             double n0, double lambda0) {
   Vec<dim> sum = Vec<dim>::Zero();
-  neighbors.each(particles, i, [&](int j, const Vec<dim>&, double r) {
-    sum += weight(r, neighbors.re()) * (particles.u[j] - particles.u[i]);
+  neighbors.each_weighted(particles, i, [&](int j, const Vec<dim>&, double, double w) {
+    sum += w * (particles.u[j] - particles.u[i]);
   });
   return 2 * dim / (lambda0 * n0) * sum;
 }
@@ -124,10 +118,8 @@ template Vec<2> gradient_conserving<2>(const Particles<2>&, const Neighbors<2>&,
                                        double);
 template Vec<3> gradient_conserving<3>(const Particles<3>&, const Neighbors<3>&, int, double, const Vec<3>&,
                                        double);
-template Vec<2> gradient_corrected<2>(const Particles<2>&, const Neighbors<2>&, int, double);
-template Vec<3> gradient_corrected<3>(const Particles<3>&, const Neighbors<3>&, int, double);
-template Vec<2> repulsion<2>(const Particles<2>&, const Neighbors<2>&, int, double);
-template Vec<3> repulsion<3>(const Particles<3>&, const Neighbors<3>&, int, double);
+template CorrectedGradient<2> gradient_corrected<2>(const Particles<2>&, const Neighbors<2>&, int, double);
+template CorrectedGradient<3> gradient_corrected<3>(const Particles<3>&, const Neighbors<3>&, int, double);
 template Vec<2> even_out<2>(const Particles<2>&, const Neighbors<2>&, int, double);
 template Vec<3> even_out<3>(const Particles<3>&, const Neighbors<3>&, int, double);
 template double near_divergence<2>(const Particles<2>&, const std::vector<Vec<2>>&, const Neighbors<2>&, int,

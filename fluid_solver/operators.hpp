@@ -20,18 +20,24 @@ template <int dim>
 Vec<dim> gradient_conserving(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i,
                              double n0, const Vec<dim>& rho_g, double lowest);
 
-/// Pressure gradient of particle i, eq. (9c), without its last term: M^-1 (d / n0) sum of (P_j - P_i) x_ij /
-/// r^2 w over neighbours with a pressure, M = (d / n0) sum of x_ij (x) x_ij / r^2 w. Exact for a linear
-/// pressure on any arrangement; without M^-1 where the neighbours lie nearly on a line.
+/// The two terms of eq. (9c).
 template <int dim>
-Vec<dim> gradient_corrected(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i,
-                            double n0);
+struct CorrectedGradient {
+  /// M^-1 (d / n0) sum of (P_j - P_i) x_ij / r^2 w over neighbours with a pressure, M = (d / n0) sum of x_ij
+  /// (x) x_ij / r^2 w. Exact for a linear pressure on any arrangement; without M^-1 where the neighbours lie
+  /// nearly on a line.
+  Vec<dim> gradient;
 
-/// The last term of eq. (9c): (d / n0) (P_i - P_min) sum of x_ij / r^2 w over all neighbours, P_min the
-/// smallest pressure of i and its neighbours. Zero where particles lie evenly; elsewhere it parts those that
-/// crowd, which the corrected gradient does not.
+  /// (d / n0) (P_i - P_min) sum of x_ij / r^2 w over all neighbours, P_min the smallest pressure of i and its
+  /// neighbours. Zero where particles lie evenly; elsewhere it parts those that crowd, which the corrected
+  /// gradient does not.
+  Vec<dim> repulsion;
+};
+
+/// Pressure gradient of particle i, eq. (9c).
 template <int dim>
-Vec<dim> repulsion(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i, double n0);
+CorrectedGradient<dim> gradient_corrected(const Particles<dim>& particles, const Neighbors<dim>& neighbors,
+                                          int i, double n0);
 
 /// Direction in which particle i would be less crowded, eq. (18): -(d / n0) sum of x_ij / r w over all
 /// neighbours; zero at and next to the free surface, where the sum points out of the water.

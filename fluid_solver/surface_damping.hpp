@@ -34,9 +34,9 @@ Vec<dim> damp_surface(const Particles<dim>& particles, const Neighbors<dim>& nei
   const auto thin = [&](int k) { return particles.n[k] < damping.thin; };
   const bool i_thin = thin(i);
   Vec<dim> sum = Vec<dim>::Zero();
-  neighbors.each(particles, i, [&](int j, const Vec<dim>& x_ij, double r) {
+  neighbors.each_weighted(particles, i, [&](int j, const Vec<dim>& x_ij, double r, double w) {
     if (particles.kind[j] != Kind::fluid || r == 0 || !(i_thin || thin(j))) return;
-    sum += weight(r, neighbors.re()) * (particles.u[j] - particles.u[i]).dot(x_ij) / (r * r) * x_ij;
+    sum += w * (particles.u[j] - particles.u[i]).dot(x_ij) / (r * r) * x_ij;
   });
   return damping.share / n0 * sum;
 }

@@ -62,6 +62,10 @@ FemParameters fem_from_case(const v1::SolidFem& fem) {
   return {.rho_infinity = fem.rho_infinity(), .substep = fem.substep()};
 }
 
+ModalParameters modal_from_case(const v1::Solid& solid) {
+  return {.modes = solid.modal().modes(), .rho_infinity = solid.fem().rho_infinity()};
+}
+
 template <int dim>
 typename Structure<dim>::Model model_from_case(const v1::Solid& solid) {
   switch (solid.model()) {
@@ -76,10 +80,9 @@ typename Structure<dim>::Model model_from_case(const v1::Solid& solid) {
     case v1::SolidModel::fem:
       return fem_from_case(solid.fem());
     case v1::SolidModel::modal:
-      return ModalParameters{.modes = solid.modal().modes()};
+      return modal_from_case(solid);
     case v1::SolidModel::auto_:
-      return AutomaticParameters{.fem = fem_from_case(solid.fem()),
-                                 .modal = {.modes = solid.modal().modes()}};
+      return AutomaticParameters{.fem = fem_from_case(solid.fem()), .modal = modal_from_case(solid)};
     case v1::SolidModel::rigid:
       return RigidParameters{};
     case v1::SolidModel::sprung:

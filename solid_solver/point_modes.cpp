@@ -21,7 +21,7 @@ PointModes::PointModes(const Structure<dim>& structure, const Interface& interfa
   }
   if (of_model_ || structure.template is<RigidParameters>()) return;
   Structure<dim> elements = structure;
-  elements.model = ModalParameters{.modes = count};
+  elements.model = ModalParameters{.modes = count, .rho_infinity = 1};
   const auto made = make_model(elements);
   elements_ = modes_of(*made, made->interpolation(interface.position, interface.body));
 }

@@ -54,7 +54,8 @@ struct FemParameters {
 
 /// The model `modal`.
 struct ModalParameters {
-  int modes;  ///< number of modes of each body
+  int modes;            ///< number of modes of each body
+  double rho_infinity;  ///< amplitude factor of the fastest oscillations per step, as of `fem`
 };
 
 /// The model `auto`: modes while they are valid, finite elements otherwise.

@@ -271,10 +271,9 @@ void RemoteParticipant::require_part(bool more, std::size_t bytes, std::size_t b
                                      const char* what) const {
   constexpr std::size_t most_per_particle = 4096, least_limit = std::size_t{1} << 28;
   require(bytes > 0 || !more, "it sends an empty part of a {}, and says that more will follow", what);
-  const std::size_t most =
-      particles_ < std::numeric_limits<std::size_t>::max() / (2 * most_per_particle)
-          ? least_limit + most_per_particle * particles_
-          : least_limit;
+  const std::size_t most = particles_ < std::numeric_limits<std::size_t>::max() / (2 * most_per_particle)
+                               ? least_limit + most_per_particle * particles_
+                               : least_limit;
   require(before + bytes <= most, "its {} exceeds {} bytes, the limit for {} particles", what, most,
           particles_);
 }

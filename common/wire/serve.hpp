@@ -56,7 +56,7 @@ class Service {
   std::optional<StateParts> state_parts_;  // of a state that is being given out
   std::optional<FrameParts> frame_parts_;  // of a frame that is being given out
   std::string arriving_;                   // the parts of a state so far
-  v1::Window remembered_;  // that may be gone through again; attempt 0: none
+  v1::Window remembered_;                  // that may be gone through again; attempt 0: none
 };
 
 /// Serves one run: sends Hello and answers until the run is finalized. Errors are reported to the coupler,

@@ -12,7 +12,9 @@ void each_seen(const Particles<dim>& particles, const CellGrid<dim>& grid, int i
   grid.ranges(grid.cell_of(particles.x[i]), grid.reach(re), [&](std::int32_t first, std::int32_t last) {
     for (std::int32_t j = first; j < last; ++j) {
       const Vec<dim> x_ij = particles.x[j] - particles.x[i];
-      const double w = weight_of(static_cast<float>(x_ij.squaredNorm()), static_cast<float>(re));
+      const double square = x_ij.squaredNorm();
+      if (square > re * re) continue;  // half of them
+      const double w = weight_of(static_cast<float>(square), static_cast<float>(re));
       if (w != 0) visit(j, x_ij, w);
     }
   });

@@ -73,8 +73,10 @@ int AutomaticModel<dim>::advance(const Window& window, const NodalLoad& load) {
   }
   const std::string start = modal_.save();
   modal_.advance(window, load);
-  if (!is_due(load)) return 1;
+  if (watch_.truncation > limit) watch_.lacking += window.size;
+  if (!is_due(load) && watch_.lacking < period_) return 1;
   measure(modal_.displacements(), load);
+  if (watch_.truncation <= limit) watch_.lacking = 0;
   const std::string reason = exceeded();
   if (reason.empty()) return 1;
   modal_.restore(start);
@@ -115,9 +117,11 @@ std::string AutomaticModel<dim>::exceeded() const {
     return fmt::format(
         "the deflection is no longer small: the nonlinear one differs by about {:.2g} %, limit {:g} %",
         100 * watch_.nonlinearity, 100 * limit);
-  if (watch_.truncation > limit)
-    return fmt::format("{} modes are not enough: they lack {:.2g} % of the static deflection, limit {:g} %",
-                       parameters_.modal.modes, 100 * watch_.truncation, 100 * limit);
+  if (watch_.lacking >= period_)
+    return fmt::format(
+        "{} modes are not enough: for a period of {:.3g} s they have lacked more than {:g} % of the "
+        "static deflection, {:.2g} % now",
+        parameters_.modal.modes, period_, 100 * limit, 100 * watch_.truncation);
   return {};
 }
 
@@ -129,7 +133,7 @@ void AutomaticModel<dim>::take_elements(const Window& window, const std::string&
   for (std::size_t b = 0; b < displacements.size(); ++b)
     if (const auto nonlinear = theories_[b].nonlinear(displacements[b])) displacements[b] = *nonlinear;
   fem_->place(displacements, modal_.velocities());
-  watch_.quiet = 0;
+  watch_.quiet = watch_.lacking = 0;
   tell(window.start,
        fmt::format("model auto: fem instead of modal from t = {:.6g} s: {}", window.start, reason));
 }
@@ -191,7 +195,7 @@ std::string AutomaticModel<dim>::save() const {
   state.put(fem_.has_value());
   state.put(active().save());
   for (const double value : {watch_.nonlinearity, watch_.truncation, watch_.energy, watch_.force,
-                             watch_.quiet, watch_.energy_before})
+                             watch_.quiet, watch_.lacking, watch_.energy_before})
     state.put(value);
   state.put(watch_.windows);
   state.put(watch_.deflection);
@@ -213,7 +217,7 @@ void AutomaticModel<dim>::restore(const std::string& text) {
   else
     modal_.restore(motion);
   for (double* value : {&watch_.nonlinearity, &watch_.truncation, &watch_.energy, &watch_.force,
-                        &watch_.quiet, &watch_.energy_before})
+                        &watch_.quiet, &watch_.lacking, &watch_.energy_before})
     state.get(*value);
   state.get(watch_.windows);
   state.get(watch_.deflection);

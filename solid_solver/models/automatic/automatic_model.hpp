@@ -12,11 +12,12 @@
 namespace cosurge::automatic {
 
 /// Computes with `modal` as long as its two assumptions hold, and with `fem` on the same elements otherwise
-/// (docs/method_solid.md, section 14): nonlinearity, the difference of the
-/// displacement from the nonlinear one under the same forces, and truncation, the part of the static
-/// deflection that the modes do not have, both over the largest displacement. A window in which one of them
-/// exceeds its limit is computed again by `fem`, from the state at its start. `modal` takes over again after
-/// both have been small for a period. Bodies that can move as a whole are computed by `fem`.
+/// (docs/method_solid.md, section 14): nonlinearity, the difference of the displacement from the nonlinear
+/// one under the same forces, and truncation, the part of the static deflection that the modes do not have,
+/// both over the largest displacement. A window in which nonlinearity exceeds its limit, or in which
+/// truncation has done so for a period, is computed again by `fem`, from the state at its start. `modal`
+/// takes over again after both have been small for a period. Bodies that can move as a whole are computed by
+/// `fem`.
 template <int dim>
 class AutomaticModel : public SolidModel {
  public:
@@ -63,6 +64,7 @@ class AutomaticModel : public SolidModel {
     double force = 0;               // the same for the largest force on a node [N]
     int windows = 0;                // since then
     double quiet = 0;               // for how long both have been small [s]
+    double lacking = 0;             // for how long truncation has exceeded its limit [s]
     double energy_before = 0;       // largest kinetic and elastic energy while elements computed [J]
     fem::Vector deflection = {};    // largest static deflection of each body so far [m]
     fem::Vector displacement = {};  // largest displacement of each body while elements computed [m]

@@ -1,16 +1,29 @@
 #include "solid_solver/models/modal/modal_model.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "common/error.hpp"
 #include "common/state_bytes.hpp"
 #include "solid_solver/damping.hpp"
+#include "solid_solver/models/fem/spectral_radius.hpp"
 
 namespace cosurge::modal {
+namespace {
+
+/// Rate [1/s] at which a mode loses as much amplitude in a step of h [s] as by the method of `fem`: weak
+/// coupling feeds oscillations that are faster than the windows.
+double rate_of_damping(const fem::AlphaConstants& constants, double omega_squared, double h) {
+  constexpr double least = 1e-3;  // amplitude left by a step, with rho_infinity = 0
+  const double left = fem::amplitude_factor(constants, std::sqrt(omega_squared) * h);
+  return -2 * std::log(std::clamp(left, least, 1.0)) / h;
+}
+
+}  // namespace
 
 template <int dim>
 ModalModel<dim>::ModalModel(const Structure<dim>& structure, const ModalParameters& parameters)
-    : bodies_(structure), damping_(damping_rates(structure)) {
+    : bodies_(structure), damping_(damping_rates(structure)), alpha_(parameters.rho_infinity) {
   for (const fem::FemBody<dim>& body : bodies_.bodies()) {
     modes_.push_back(lowest_modes(body, bodies_.material(), parameters.modes));
     weight_.emplace_back(modes_.back().shapes.transpose() * body.weight());
@@ -24,7 +37,7 @@ void ModalModel<dim>::prepare_steps(double h) {
   steps_.clear();
   for (std::size_t b = 0; b < modes_.size(); ++b)
     for (const double omega_squared : modes_[b].omega_squared)
-      steps_.emplace_back(omega_squared, damping_[b], h);
+      steps_.emplace_back(omega_squared, damping_[b] + rate_of_damping(alpha_, omega_squared, h), h);
   steps_size_ = h;
 }
 

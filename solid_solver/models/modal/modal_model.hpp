@@ -1,6 +1,7 @@
 // The model `modal`: the lowest modes of the finite-element bodies.
 #pragma once
 
+#include "solid_solver/models/fem/generalised_alpha.hpp"
 #include "solid_solver/models/fem/meshed_bodies.hpp"
 #include "solid_solver/models/modal/modes.hpp"
 #include "solid_solver/oscillator.hpp"
@@ -8,8 +9,9 @@
 namespace cosurge::modal {
 
 /// u = sum phi_i eta_i about the undeformed bodies, each mode advanced exactly over the window, with
-/// `solid.damping_ratio`. For small deflection only: deflection, rotation and strain are reported, so that a
-/// user sees where that ends, and `cosurge run` says it.
+/// `solid.damping_ratio`. Oscillations that the window does not resolve lose amplitude as in `fem`. For small
+/// deflection only: deflection, rotation and strain are reported, so that a user sees where that ends, and
+/// `cosurge run` says it.
 template <int dim>
 class ModalModel : public SolidModel {
  public:
@@ -73,6 +75,7 @@ class ModalModel : public SolidModel {
 
   fem::MeshedBodies<dim> bodies_;
   std::vector<double> damping_;  // rate of each body [1/s]
+  fem::AlphaConstants alpha_;    // of the damping of fast oscillations
   std::vector<Modes> modes_;
   Vectors weight_;                                    // gravity's load on the modes
   std::vector<std::vector<OscillatorState>> states_;  // states of each body's modes

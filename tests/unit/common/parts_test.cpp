@@ -59,10 +59,9 @@ TEST(FrameParts, TogetherAreTheFrame) {
 
 TEST(FrameParts, AnArrayDoesNotChangeItsUnit) {
   Snapshot frame = {{.name = "position", .unit = "m", .components = 1, .values = {1}}};
-  EXPECT_THAT(
-      [&] { append({{.name = "position", .unit = "mm", .components = 1, .values = {2}}}, frame); },
-      ThrowsMessage<Error>(
-          "array position of a frame goes on with 1 components in \"mm\" instead of 1 in \"m\""));
+  EXPECT_THAT([&] { append({{.name = "position", .unit = "mm", .components = 1, .values = {2}}}, frame); },
+              ThrowsMessage<Error>(
+                  "array position of a frame goes on with 1 components in \"mm\" instead of 1 in \"m\""));
 }
 
 }  // namespace

@@ -172,7 +172,8 @@ TEST(Fits, SourcesThatMakeASoftPlateUnstableAreTold) {
     const v1::Case soft = plate(1e6, {fmt::format("fluid.source={}", source)});
     const SceneNumbers scene = scene_numbers(soft, bending(1e6));
     EXPECT_EQ(fitting(scheme_fits(soft, scene)), schemes) << source;
-    EXPECT_THAT(recommendation(soft, scene), HasSubstr("Use the source time_scale, the model auto")) << source;
+    EXPECT_THAT(recommendation(soft, scene), HasSubstr("Use the source time_scale, the model auto"))
+        << source;
   }
 }
 

@@ -39,6 +39,16 @@ Lists listed(const Neighbors<dim>& neighbors, const Particles<dim>& particles) {
       EXPECT_EQ(r, x_ij.norm());
       lists[i].push_back(j);
     });
+  for (int i = 0; i < particles.size(); ++i) {
+    std::vector<int> weighted;
+    neighbors.each_weighted(particles, i, [&](int j, const Vec<dim>& x_ij, double r, double w) {
+      EXPECT_EQ(x_ij, particles.x[j] - particles.x[i]);
+      EXPECT_EQ(r, x_ij.norm());
+      EXPECT_EQ(w, weight(r, neighbors.re()));
+      weighted.push_back(j);
+    });
+    EXPECT_EQ(weighted, lists[i]);
+  }
   return lists;
 }
 
