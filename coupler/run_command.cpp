@@ -14,7 +14,8 @@
 #include "coupler/checkpoint.hpp"
 #include "coupler/conclusion.hpp"
 #include "coupler/interruption.hpp"
-#include "coupler/progress.hpp"
+#include "coupler/progress/json_progress.hpp"
+#include "coupler/progress/progress.hpp"
 #include "coupler/recorder.hpp"
 #include "coupler/result_folder.hpp"
 #include "coupler/resumption.hpp"
@@ -90,7 +91,22 @@ struct Job {
   fs::path folder;  // folder of the results
   Provenance provenance;
   const Resumption* resumption = nullptr;
+  Telling telling = Telling::line;
+  JsonLines* lines = nullptr;  // where telling is json
 };
+
+/// The standard output for lines of JSON, where the options ask for them.
+std::unique_ptr<JsonLines> lines_of(const RunOptions& options) {
+  return options.telling == Telling::json ? std::make_unique<JsonLines>() : nullptr;
+}
+
+std::unique_ptr<Observer> make_progress(const Job& job, const Simulation& simulation) {
+  const auto& members = simulation.members();
+  if (job.telling == Telling::quiet) return std::make_unique<Notes>(stdout);
+  if (job.telling == Telling::json)
+    return std::make_unique<JsonProgress>(job.the_case, members, simulation.columns(), *job.lines);
+  return std::make_unique<Progress>(job.the_case, members, simulation.columns(), stdout);
+}
 
 /// The new recorder of a run, with the data that the run had recorded when the checkpoint was written.
 std::unique_ptr<Recorder> make_recorder(const Job& job, const Coupler& coupler) {
@@ -118,12 +134,12 @@ std::unique_ptr<Recorder> make_recorder(const Job& job, const Coupler& coupler) 
 }
 
 /// All windows, and how it went.
-Outcome compute(Simulation& simulation, Recorder& recorder, CheckpointWriter& checkpoints) {
+Outcome compute(const Job& job, Simulation& simulation, Recorder& recorder, CheckpointWriter& checkpoints) {
   const auto by_signal = [&] {
     return fmt::format("by {} at t = {:.6g} s", interruption().value_or("a signal"), simulation.time());
   };
-  Progress progress(simulation.the_case(), simulation.members(), simulation.columns(), stdout);
-  for (Observer* observer : std::initializer_list<Observer*>{&recorder, &checkpoints, &progress})
+  const auto progress = make_progress(job, simulation);
+  for (Observer* observer : std::initializer_list<Observer*>{&recorder, &checkpoints, progress.get()})
     simulation.observe(*observer);
   try {
     if (simulation.run(interrupted)) return {.status = "finished", .reason = ""};
@@ -141,28 +157,35 @@ Outcome compute(Simulation& simulation, Recorder& recorder, CheckpointWriter& ch
   }
 }
 
-/// The run once the solvers are started. Returns the exit status.
-int run_with(Simulation& simulation, const Job& job) {
-  const auto& [the_case, folder, provenance, resumption] = job;
-  say("{}\n", the_case.title());
-  simulation.begin();
-  Coupler& coupler = simulation.coupler();
-  if (resumption != nullptr) {
-    resumption->checkpoint.require_same_programs(coupler.members());
-    coupler.restore(resumption->checkpoint.state, resumption->same_scheme);
-  }
+/// Who computes, and where the results are.
+void introduce(const Job& job, const Coupler& coupler) {
+  if (job.telling == Telling::quiet) return;
   for (const Member& member : coupler.members())
     say("  {}: {} {}, {} particles\n", member.name, member.identity.program, member.identity.version,
         member.setup.particles);
-  say("  results: {}\n", (folder / Recorder::results_name).string());
-  if (resumption != nullptr) say("  resumed at t = {:.6g} s\n", resumption->checkpoint.time);
+  say("  results: {}\n", (job.folder / Recorder::results_name).string());
+  if (job.resumption != nullptr) say("  resumed at t = {:.6g} s\n", job.resumption->checkpoint.time);
+}
 
+/// The run once the solvers are started. Returns the exit status.
+int run_with(Simulation& simulation, const Job& job) {
+  const bool quiet = job.telling == Telling::quiet;
+  if (!quiet) say("{}\n", job.the_case.title());
+  simulation.begin();
+  Coupler& coupler = simulation.coupler();
+  if (job.resumption != nullptr) {
+    job.resumption->checkpoint.require_same_programs(coupler.members());
+    coupler.restore(job.resumption->checkpoint.state, job.resumption->same_scheme);
+  }
+  introduce(job, coupler);
   const auto recorder = make_recorder(job, coupler);
-  CheckpointWriter checkpoints(folder, the_case, coupler);
-  Outcome outcome = compute(simulation, *recorder, checkpoints);
+  CheckpointWriter checkpoints(job.folder, job.the_case, coupler);
+  Outcome outcome = compute(job, simulation, *recorder, checkpoints);
   outcome.exchange_seconds = simulation.exchange_seconds();
   simulation.end(outcome.status == "finished" ? "the run is over" : outcome.reason, interrupted());
-  conclude(folder, coupler, *recorder, checkpoints.time(), outcome);
+  conclude(job.folder, coupler, *recorder, checkpoints.time(), outcome, quiet);
+  if (job.lines != nullptr)
+    job.lines->end(outcome, coupler.time(), coupler.windows(), job.folder / Recorder::results_name);
   if (outcome.status == "finished") return 0;
   return outcome.status == "interrupted" ? exit_interrupted : exit_failed;
 }
@@ -191,23 +214,29 @@ int launch(const RunOptions& options, const Job& job) {
 }  // namespace
 
 int run_command(const RunOptions& options) {
+  const std::unique_ptr<JsonLines> lines = lines_of(options);
   const v1::Case the_case = load_case(options.case_path, options.overrides);
   require_names(options, the_case);
   for (const std::string& doubt : doubts(the_case)) say("warning: {}\n", doubt);
   const ResultFolder folder(options.case_path, options.out);
   return launch(options, {.the_case = the_case,
                           .folder = folder.path(),
-                          .provenance = Provenance::of_case(options.case_path, options.overrides)});
+                          .provenance = Provenance::of_case(options.case_path, options.overrides),
+                          .telling = options.telling,
+                          .lines = lines.get()});
 }
 
 int resume_command(const RunOptions& options) {
+  const std::unique_ptr<JsonLines> lines = lines_of(options);
   const ResultFolder folder = ResultFolder::of_a_run(options.out);
   const Resumption resumption = resumption_of(options.out, options.overrides);
   require_names(options, resumption.checkpoint.the_case);
   return launch(options, {.the_case = resumption.checkpoint.the_case,
                           .folder = folder.path(),
                           .provenance = resumption.provenance,
-                          .resumption = &resumption});
+                          .resumption = &resumption,
+                          .telling = options.telling,
+                          .lines = lines.get()});
 }
 
 }  // namespace cosurge

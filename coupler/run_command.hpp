@@ -6,6 +6,13 @@
 
 namespace cosurge {
 
+/// What a run says while it goes.
+enum class Telling {
+  line,   ///< solvers, a line of progress, the end
+  quiet,  ///< only warnings, and the end if the run did not finish
+  json    ///< lines of JSON on the standard output, words on the standard error
+};
+
 struct RunOptions {
   std::string case_path;
   std::vector<std::string> overrides;
@@ -17,6 +24,7 @@ struct RunOptions {
                                    ///< NAME=COMMAND
   int threads = 0;                 ///< threads of the fluid solver; 0: one per core
   double patience = 600;           ///< longest wait for a solver's answer [s]
+  Telling telling = Telling::line;
 };
 
 /// Runs a case. Returns the exit status: 0 finished, 1 failed, 130 interrupted; the results are readable
