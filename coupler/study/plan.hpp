@@ -1,4 +1,4 @@
-// The runs of a chart: which settings of which case, and from which starts.
+// The runs of a study: which settings of which case, and from which starts.
 #pragma once
 
 #include <string>
@@ -8,17 +8,17 @@
 
 namespace cosurge {
 
-struct ChartOptions {
+/// What chart and sweep have in common: a case, its settings, and where the runs go.
+struct StudyOptions {
   std::string case_path;
   std::vector<std::string> overrides;  ///< "key.path=value" for every run
   std::vector<std::string> over;       ///< "key=a,b": directions of a grid, as in map
   std::string plan;                    ///< CSV: a key a column, a run a row; empty: none
   std::vector<std::string> quantities;
-  std::vector<std::string> truth;
   int scatter = 0;   ///< perturbed starts of each run besides its own
   int cores = 1;     ///< runs at a time
   std::string out;   ///< folder
-  std::string note;  ///< command that makes the chart, first line of its table
+  std::string note;  ///< command that makes the table, its first line
 };
 
 /// One run: its settings in the plan, and the case with them.
@@ -30,7 +30,7 @@ struct PlannedRun {
   v1::Case the_case;
 };
 
-struct ChartPlan {
+struct StudyPlan {
   std::vector<std::string> keys;  ///< of the plan: columns of the table
   int starts = 1;                 ///< runs of the same settings, one after the other
   std::vector<PlannedRun> runs;
@@ -39,6 +39,6 @@ struct ChartPlan {
 /// Every row of the plan with every cell of the grid, `scatter` + 1 starts each. Start k > 0 has gravity
 /// times 1 + 1e-6 k: too little to change the answer by itself, enough for the particles to take other ways.
 /// @throws Error with all that is wrong in any run, and where two settings are the same case.
-ChartPlan read_plan(const ChartOptions& options);
+StudyPlan read_plan(const StudyOptions& options);
 
 }  // namespace cosurge

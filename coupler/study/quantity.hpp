@@ -1,11 +1,11 @@
-// A number that a chart compares: a peak, its time, an impulse, or a whole history.
+// A number of a run: a peak, its time, an impulse, or a whole history.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "coupler/chart/curve.hpp"
+#include "coupler/study/curve.hpp"
 #include "proto/case.pb.h"
 
 namespace cosurge {

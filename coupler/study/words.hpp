@@ -1,4 +1,4 @@
-// What the words of the options of a chart have in common.
+// What the words of the options of a study have in common.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "coupler/chart/quantity.hpp"
+#include "coupler/study/quantity.hpp"
 
 #include <fmt/ranges.h>
 
@@ -7,8 +7,8 @@
 
 #include "common/case/probe_columns.hpp"
 #include "common/error.hpp"
-#include "coupler/chart/words.hpp"
 #include "coupler/interface_account.hpp"
+#include "coupler/study/words.hpp"
 
 namespace cosurge {
 namespace {

@@ -1,4 +1,4 @@
-#include "coupler/chart/chart_runs.hpp"
+#include "coupler/study/runs.hpp"
 
 #include <fcntl.h>
 #include <fmt/ranges.h>
@@ -114,7 +114,7 @@ FinishedRun read_row(const Place& place) {
 
 }  // namespace
 
-ChartRuns::ChartRuns(const fs::path& folder) : folder_(folder / "runs") {
+StudyRuns::StudyRuns(const fs::path& folder) : folder_(folder / "runs") {
   std::error_code none;
   require(!fs::exists(folder) || fs::is_directory(folder), "{}: is not a folder; choose another --out",
           folder.string());
@@ -123,7 +123,7 @@ ChartRuns::ChartRuns(const fs::path& folder) : folder_(folder / "runs") {
   fs::create_directories(folder_, none);
   locked_ = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   require(locked_ >= 0, "{}: cannot be made", folder_.string());
-  // The processes of a chart that was killed need a moment to end.
+  // The processes of a command that was killed need a moment to end.
   constexpr int tries = 50;
   bool taken = true;
   for (int k = 0; k < tries && taken; ++k) {
@@ -131,12 +131,14 @@ ChartRuns::ChartRuns(const fs::path& folder) : folder_(folder / "runs") {
     taken = ::flock(locked_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
   }
   if (taken) ::close(locked_);
-  require(!taken, "{}: another chart is being made in this folder", folder.string());
+  require(!taken, "{}: another command is running a case in this folder", folder.string());
 }
 
-ChartRuns::~ChartRuns() { ::close(locked_); }
+StudyRuns::~StudyRuns() { ::close(locked_); }
 
-std::vector<FinishedRun> ChartRuns::run(const ChartPlan& plan, const std::string& case_path,
+void StudyRuns::remove() const { fs::remove_all(folder_); }
+
+std::vector<FinishedRun> StudyRuns::run(const StudyPlan& plan, const std::string& case_path,
                                         int cores) const {
   std::vector<Place> places;
   for (const PlannedRun& run : plan.runs) {

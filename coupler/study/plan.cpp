@@ -1,4 +1,4 @@
-#include "coupler/chart/chart_plan.hpp"
+#include "coupler/study/plan.hpp"
 
 #include <fmt/ranges.h>
 
@@ -10,7 +10,7 @@
 #include "common/case/case_file.hpp"
 #include "common/error.hpp"
 #include "coupler/case_grid.hpp"
-#include "coupler/chart/words.hpp"
+#include "coupler/study/words.hpp"
 
 namespace cosurge {
 namespace {
@@ -68,7 +68,7 @@ std::string gravity_of(const v1::Case& the_case, int start) {
 }
 
 /// The runs of one combination of values, appended. @throws Error where the case is not valid.
-void add_runs(const ChartOptions& options, PlannedRun run, ChartPlan& plan) {
+void add_runs(const StudyOptions& options, PlannedRun run, StudyPlan& plan) {
   run.overrides = options.overrides;
   run.overrides.insert(run.overrides.end(), run.settings.begin(), run.settings.end());
   run.the_case = load_case(options.case_path, run.overrides);
@@ -87,8 +87,8 @@ void add_runs(const ChartOptions& options, PlannedRun run, ChartPlan& plan) {
   }
 }
 
-/// Two settings with the same case would be one point that costs twice.
-void add_repeated(const ChartPlan& plan, std::vector<std::string>& wrong) {
+/// Two settings with the same case would be one row that costs twice.
+void add_repeated(const StudyPlan& plan, std::vector<std::string>& wrong) {
   std::map<std::string, const PlannedRun*> known;
   for (const PlannedRun& run : plan.runs) {
     const auto [first, is_new] = known.emplace(run.the_case.SerializeAsString(), &run);
@@ -100,10 +100,10 @@ void add_repeated(const ChartPlan& plan, std::vector<std::string>& wrong) {
 
 }  // namespace
 
-ChartPlan read_plan(const ChartOptions& options) {
+StudyPlan read_plan(const StudyOptions& options) {
   require(!options.over.empty() || !options.plan.empty(),
-          "a chart needs --over KEY=A,B,... or --plan FILE.csv: settings to compare");
-  ChartPlan plan;
+          "--over KEY=A,B,... or --plan FILE.csv is missing: settings to compare");
+  StudyPlan plan;
   plan.starts = options.scatter + 1;
   std::vector<std::vector<std::string>> rows;
   if (options.plan.empty())

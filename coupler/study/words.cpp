@@ -1,4 +1,4 @@
-#include "coupler/chart/words.hpp"
+#include "coupler/study/words.hpp"
 
 #include <charconv>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "coupler/chart/curve.hpp"
+#include "coupler/study/curve.hpp"
 
 #include <algorithm>
 #include <cmath>
