@@ -34,8 +34,8 @@ Command add_check(CLI::App& app) {
       app.add_subcommand("check", "Validate a case and estimate its particles, windows, memory and time");
   add_case(*command, options->case_path, options->overrides);
   command->add_option("--picture", options->picture,
-                      "Write an HTML page of the case to FILE.html: tank, water, bodies, clamps, probes "
-                      "and the paths of walls");
+                      "Draw the case before its run: tank, water, bodies, clamps, supports, probes, moving "
+                      "walls at their extremes. FILE.png is a picture, FILE.html a page for a browser");
   return {command, [options] {
             check_command(options->case_path, options->overrides, options->picture);
             return 0;

@@ -5,6 +5,7 @@
 #include "coupler/csv_command.hpp"
 #include "coupler/report/report_command.hpp"
 #include "coupler/report/watch_command.hpp"
+#include "coupler/video/video_command.hpp"
 
 namespace cosurge {
 
@@ -37,8 +38,15 @@ Command add_report(CLI::App& app) {
                    "Approximate size of the page [MB]: a smaller page has fewer frames or particles")
       ->check(CLI::Range(0.5, 1000.0))
       ->capture_default_str();
+  command
+      ->add_option("--video", options->video,
+                   "Write a video of one run to FILE.mp4 instead of a page; needs ffmpeg")
+      ->excludes("--out", "--case", "--size");
   return {command, [options] {
-            report_command(*options);
+            if (options->video.empty())
+              report_command(*options);
+            else
+              video_command(options->results, options->video);
             return 0;
           }};
 }
