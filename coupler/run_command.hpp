@@ -4,14 +4,9 @@
 #include <string>
 #include <vector>
 
-namespace cosurge {
+#include "coupler/recorded_run.hpp"
 
-/// What a run says while it goes.
-enum class Telling {
-  line,   ///< solvers, a line of progress, the end
-  quiet,  ///< only warnings, and the end if the run did not finish
-  json    ///< lines of JSON on the standard output, words on the standard error
-};
+namespace cosurge {
 
 struct RunOptions {
   std::string case_path;
