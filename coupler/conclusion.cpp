@@ -80,10 +80,11 @@ bool is_largest_deflection(const std::string& history) {
 }
 
 void conclude(const std::filesystem::path& folder, const Coupler& coupler, Recorder& recorder,
-              double checkpoint_time, Outcome& outcome) {
+              double checkpoint_time, Outcome& outcome, bool quiet) {
   attempt(outcome, [&] { recorder.flush(); });
   attempt(outcome, [&] { write_summary(folder, recorder, outcome); });
   remark(coupler, recorder);
+  if (quiet && outcome.status == "finished") return;
   say("{} at t = {:.6g} s after {} windows{}{}\n", outcome.status, coupler.time(), coupler.windows(),
       outcome.reason.empty() ? "" : ": ", outcome.reason);
   if (outcome.status != "finished") advise(folder, outcome.broken_down, checkpoint_time);

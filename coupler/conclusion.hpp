@@ -18,10 +18,11 @@ bool is_largest_deflection(const std::string& history);
 
 /// Writes the recorded data and the summary, as far as the disk accepts them, and prints the result of the
 /// run: remarks first; the last lines are its end with the reason and, unless it is finished, how to resume
-/// it. If something cannot be written, `outcome` has the reason afterwards.
+/// it. If something cannot be written, `outcome` has the reason afterwards. `quiet`: of a finished run only
+/// the remarks.
 /// @param checkpoint_time of the last checkpoint [s]
 void conclude(const std::filesystem::path& folder, const Coupler& coupler, Recorder& recorder,
-              double checkpoint_time, Outcome& outcome);
+              double checkpoint_time, Outcome& outcome, bool quiet = false);
 
 /// Whether the summary in `folder` says that the run is finished.
 bool concluded(const std::filesystem::path& folder);

@@ -1,7 +1,6 @@
 #include "coupler/recorder.hpp"
 
 #include <fmt/chrono.h>
-#include <google/protobuf/util/json_util.h>
 
 #include <algorithm>
 #include <cassert>
@@ -10,21 +9,12 @@
 
 #include "common/error.hpp"
 #include "common/version.hpp"
+#include "coupler/case_json.hpp"
 #include "coupler/lattice_mesh.hpp"
 #include "coupler/replace_file.hpp"
 
 namespace cosurge {
 namespace {
-
-std::string as_json(const v1::Case& the_case) {
-  google::protobuf::util::JsonPrintOptions options;
-  options.add_whitespace = true;
-  options.preserve_proto_field_names = true;
-  std::string json;
-  const auto status = google::protobuf::util::MessageToJsonString(the_case, &json, options);
-  require(status.ok(), "the case cannot be written as JSON: {}", status.ToString());
-  return json;
-}
 
 constexpr std::size_t few_frames = 100;  // up to which the XDMF file is so short that it is always written
 constexpr int rest = 50;  // times as long as writing the XDMF takes passes before it is written again: 2 %

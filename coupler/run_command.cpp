@@ -11,11 +11,9 @@
 #include "common/case/several_solids.hpp"
 #include "common/error.hpp"
 #include "common/solvers.hpp"
-#include "coupler/checkpoint.hpp"
-#include "coupler/conclusion.hpp"
 #include "coupler/interruption.hpp"
-#include "coupler/progress.hpp"
-#include "coupler/recorder.hpp"
+#include "coupler/progress/json_progress.hpp"
+#include "coupler/recorded_run.hpp"
 #include "coupler/result_folder.hpp"
 #include "coupler/resumption.hpp"
 #include "coupler/say.hpp"
@@ -84,91 +82,18 @@ void start(Simulation& simulation, const RunOptions& options, Role role, const s
   simulation.in_process(role, fluid ? "" : program_of(options, solid), reach);
 }
 
-/// A new case, or a resumption.
-struct Job {
-  v1::Case the_case;
-  fs::path folder;  // folder of the results
-  Provenance provenance;
-  const Resumption* resumption = nullptr;
-};
-
-/// The new recorder of a run, with the data that the run had recorded when the checkpoint was written.
-std::unique_ptr<Recorder> make_recorder(const Job& job, const Coupler& coupler) {
-  const auto make = [&](const std::string& name) {
-    return std::make_unique<Recorder>(job.folder, job.the_case, coupler.members(), coupler.interface(),
-                                      coupler.columns(), job.provenance, name);
-  };
-  const fs::path results = job.folder / Recorder::results_name;
-  if (job.resumption == nullptr) return make(results.filename());
-  const fs::path fresh = results.string() + ".new";
-  fs::remove(fresh);  // left by an interrupted resumption
-  std::unique_ptr<Recorder> recorder;
-  try {
-    recorder = make(fresh.filename());
-    replay(results, job.resumption->checkpoint, *recorder);
-    recorder->flush();  // also the rows after the last frame: from here on the old file is gone
-    recorder->move(results);
-  } catch (...) {
-    recorder.reset();
-    std::error_code none;
-    fs::remove(fresh, none);  // a full disk needs the room
-    throw;
-  }
-  return recorder;
+/// The standard output for lines of JSON, where the options ask for them.
+std::unique_ptr<JsonLines> lines_of(const RunOptions& options) {
+  return options.telling == Telling::json ? std::make_unique<JsonLines>() : nullptr;
 }
 
-/// All windows, and how it went.
-Outcome compute(Simulation& simulation, Recorder& recorder, CheckpointWriter& checkpoints) {
-  const auto by_signal = [&] {
-    return fmt::format("by {} at t = {:.6g} s", interruption().value_or("a signal"), simulation.time());
-  };
-  Progress progress(simulation.the_case(), simulation.members(), simulation.columns(), stdout);
-  for (Observer* observer : std::initializer_list<Observer*>{&recorder, &checkpoints, &progress})
-    simulation.observe(*observer);
-  try {
-    if (simulation.run(interrupted)) return {.status = "finished", .reason = ""};
-    recorder.flush();
-    checkpoints.write();
-    return {.status = "interrupted", .reason = by_signal()};
-  } catch (const Interrupted& interrupted) {
-    return {.status = "interrupted",
-            .reason = fmt::format("{}, within a window: {}; cosurge resume continues from the last frame",
-                                  by_signal(), interrupted.what())};
-  } catch (const std::exception& error) {
-    return {.status = "failed",
-            .reason = error.what(),
-            .broken_down = dynamic_cast<const NumericalError*>(&error) != nullptr};
-  }
-}
-
-/// The run once the solvers are started. Returns the exit status.
-int run_with(Simulation& simulation, const Job& job) {
-  const auto& [the_case, folder, provenance, resumption] = job;
-  say("{}\n", the_case.title());
-  simulation.begin();
-  Coupler& coupler = simulation.coupler();
-  if (resumption != nullptr) {
-    resumption->checkpoint.require_same_programs(coupler.members());
-    coupler.restore(resumption->checkpoint.state, resumption->same_scheme);
-  }
-  for (const Member& member : coupler.members())
-    say("  {}: {} {}, {} particles\n", member.name, member.identity.program, member.identity.version,
-        member.setup.particles);
-  say("  results: {}\n", (folder / Recorder::results_name).string());
-  if (resumption != nullptr) say("  resumed at t = {:.6g} s\n", resumption->checkpoint.time);
-
-  const auto recorder = make_recorder(job, coupler);
-  CheckpointWriter checkpoints(folder, the_case, coupler);
-  Outcome outcome = compute(simulation, *recorder, checkpoints);
-  outcome.exchange_seconds = simulation.exchange_seconds();
-  simulation.end(outcome.status == "finished" ? "the run is over" : outcome.reason, interrupted());
-  conclude(folder, coupler, *recorder, checkpoints.time(), outcome);
+int exit_of(const Outcome& outcome) {
   if (outcome.status == "finished") return 0;
   return outcome.status == "interrupted" ? exit_interrupted : exit_failed;
 }
 
 /// Starts the solvers and runs, from the beginning or from a checkpoint.
-int launch(const RunOptions& options, const Job& job) {
+int launch(const RunOptions& options, const RecordedRun& job) {
   note_interruptions();
   try {
     std::optional<Simulation> simulation(std::in_place, job.the_case);
@@ -176,7 +101,7 @@ int launch(const RunOptions& options, const Job& job) {
     if (job.the_case.has_fluid()) start(*simulation, options, Role::fluid, "", job.folder);
     for (const std::string& solid : solid_names(job.the_case))
       start(*simulation, options, Role::solid, has_several_solids(job.the_case) ? solid : "", job.folder);
-    const int exit_status = run_with(*simulation, job);
+    const int exit_status = exit_of(run_recorded(*simulation, job));
     const bool left_behind = simulation->left_behind();
     simulation.reset();
     if (left_behind) std::_Exit(exit_status);  // a return would destroy objects that the thread still uses
@@ -191,23 +116,29 @@ int launch(const RunOptions& options, const Job& job) {
 }  // namespace
 
 int run_command(const RunOptions& options) {
+  const std::unique_ptr<JsonLines> lines = lines_of(options);
   const v1::Case the_case = load_case(options.case_path, options.overrides);
   require_names(options, the_case);
   for (const std::string& doubt : doubts(the_case)) say("warning: {}\n", doubt);
   const ResultFolder folder(options.case_path, options.out);
   return launch(options, {.the_case = the_case,
                           .folder = folder.path(),
-                          .provenance = Provenance::of_case(options.case_path, options.overrides)});
+                          .provenance = Provenance::of_case(options.case_path, options.overrides),
+                          .telling = options.telling,
+                          .lines = lines.get()});
 }
 
 int resume_command(const RunOptions& options) {
+  const std::unique_ptr<JsonLines> lines = lines_of(options);
   const ResultFolder folder = ResultFolder::of_a_run(options.out);
   const Resumption resumption = resumption_of(options.out, options.overrides);
   require_names(options, resumption.checkpoint.the_case);
   return launch(options, {.the_case = resumption.checkpoint.the_case,
                           .folder = folder.path(),
                           .provenance = resumption.provenance,
-                          .resumption = &resumption});
+                          .resumption = &resumption,
+                          .telling = options.telling,
+                          .lines = lines.get()});
 }
 
 }  // namespace cosurge

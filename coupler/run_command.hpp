@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "coupler/recorded_run.hpp"
+
 namespace cosurge {
 
 struct RunOptions {
@@ -17,6 +19,7 @@ struct RunOptions {
                                    ///< NAME=COMMAND
   int threads = 0;                 ///< threads of the fluid solver; 0: one per core
   double patience = 600;           ///< longest wait for a solver's answer [s]
+  Telling telling = Telling::line;
 };
 
 /// Runs a case. Returns the exit status: 0 finished, 1 failed, 130 interrupted; the results are readable

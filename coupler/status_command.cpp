@@ -1,11 +1,11 @@
 #include "coupler/status_command.hpp"
 
 #include <chrono>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "common/error.hpp"
 #include "coupler/checkpoint.hpp"
+#include "coupler/progress/progress_line.hpp"
 #include "coupler/result_folder.hpp"
 #include "coupler/summary.hpp"
 
@@ -16,11 +16,6 @@ namespace fs = std::filesystem;
 
 double seconds_between(fs::file_time_type first, fs::file_time_type second) {
   return std::chrono::duration<double>(second - first).count();
-}
-
-std::string clock_text(double seconds) {
-  const long whole = std::lround(seconds);
-  return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
 /// How the run has ended, by its summary and the lock of its folder.

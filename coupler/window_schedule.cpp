@@ -22,7 +22,9 @@ WindowSchedule::WindowSchedule(const v1::Case& the_case)
 double WindowSchedule::landing() const {
   // The time is exactly that of a frame or between two; the end of an earlier case may lie between two.
   const double passed = std::floor(time_ / frame_interval_ + rounding_of_quotient);
-  return std::min(time_table_.end(), (passed + 1) * frame_interval_);
+  const double frame = (passed + 1) * frame_interval_, end = time_table_.end();
+  // Five times 0.09 is less than 0.45 in binary: what is left to the end is no window.
+  return frame < end - rounding_of_quotient * end ? frame : end;
 }
 
 Window WindowSchedule::next(double largest) const {

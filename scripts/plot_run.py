@@ -1,11 +1,16 @@
 #!/usr/bin/python3
 """Pictures of a run, from its results.h5: scripts/plot_run.py FOLDER [--out DIR] [--case DIR]
 
-snapshots.png  the water by pressure and the structure at six instants
+snapshots.png  the water by pressure and the structure at six instants; a long scene around its structure; three dimensions
+               by speed, as seen from the front and the right
 tip.png        displacement probes
 front.png      front of the water on the floor, where the case folder has published fronts (columns t, z)
 pressure.png   pressure probes, raw and low-passed, and their spectra
 level.png      level probes
+force.png      force probes, and the load of the water on the structure
+moment.png     moment probes
+overtopping.png  water that has left the tank, and water behind the structure
+stress.png     largest von Mises stress of the frames
 energy.png     kinetic, potential and elastic energy, and the work through the interface
 timing.png     where the wall time went
 
@@ -18,7 +23,7 @@ column is t_s; the second says what they are: ux_m, uy_m, uz_m of every displace
 import argparse
 from pathlib import Path
 
-from plots import histories, recorded, snapshots, timing
+from plots import histories, loads, recorded, snapshots, timing
 
 
 def main():
@@ -34,7 +39,9 @@ def main():
     case_folder = arguments.case or recorded.find_case_folder(run)
     pictures = {"snapshots": snapshots.snapshots(run), "tip": histories.tip(run, case_folder),
                 "front": histories.front(run, case_folder), "pressure": histories.pressure(run, case_folder),
-                "level": histories.level(run, case_folder), "energy": histories.energy(run),
+                "level": histories.level(run, case_folder), "force": loads.force(run, case_folder),
+                "moment": loads.moment(run, case_folder), "overtopping": loads.overtopping(run),
+                "stress": loads.stress(run), "energy": histories.energy(run),
                 "timing": timing.timing(run)}
     for name, figure in pictures.items():
         if figure is not None:

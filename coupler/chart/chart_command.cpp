@@ -7,15 +7,14 @@
 #include <filesystem>
 #include <limits>
 
-#include "common/case/case_file.hpp"
 #include "common/error.hpp"
-#include "coupler/chart/chart_runs.hpp"
 #include "coupler/chart/chart_table.hpp"
 #include "coupler/chart/truth.hpp"
-#include "coupler/chart/words.hpp"
 #include "coupler/replace_file.hpp"
-#include "coupler/results.hpp"
 #include "coupler/say.hpp"
+#include "coupler/study/run_quantities.hpp"
+#include "coupler/study/runs.hpp"
+#include "coupler/study/words.hpp"
 
 namespace cosurge {
 namespace {
@@ -27,7 +26,7 @@ constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
 /// Everything that the options say, before anything runs.
 struct Request {
-  ChartPlan plan;
+  StudyPlan plan;
   std::vector<Quantity> quantities;
   Truths truths;
   std::size_t truth_run = none;  // the run that --truth KEY=VALUE chooses
@@ -36,7 +35,7 @@ struct Request {
 };
 
 /// The one setting of the plan with all of these values.
-std::size_t run_with(const ChartPlan& plan, const std::vector<std::string>& settings) {
+std::size_t run_with(const StudyPlan& plan, const std::vector<std::string>& settings) {
   std::vector<std::size_t> found;
   for (std::size_t k = 0; k < plan.runs.size(); ++k) {
     const auto& own = plan.runs[k].settings;
@@ -54,19 +53,9 @@ std::size_t run_with(const ChartPlan& plan, const std::vector<std::string>& sett
 Request::Request(const ChartOptions& options) {
   std::vector<std::string> wrong;
   note_errors(wrong, [&] { plan = read_plan(options); });
-  // Quantities must be there in every run; without a plan, at least in the case.
-  std::vector<v1::Case> cases;
-  for (const PlannedRun& run : plan.runs) cases.push_back(run.the_case);
-  if (cases.empty())
-    note_errors(wrong, [&] { cases.push_back(load_case(options.case_path, options.overrides)); });
-  for (const std::string& text : options.quantities)
-    for (std::size_t k = 0; k < cases.size(); ++k)
-      note_errors(wrong, [&] {
-        const Quantity quantity = Quantity::read(text, cases[k]);
-        if (k == 0) quantities.push_back(quantity);
-      });
+  quantities = read_quantities(options.quantities, options, plan, wrong);
   double end = std::numeric_limits<double>::infinity();
-  for (const v1::Case& the_case : cases) end = std::min(end, the_case.time().end());
+  for (const PlannedRun& run : plan.runs) end = std::min(end, run.the_case.time().end());
   if (quantities.size() == options.quantities.size())
     note_errors(wrong, [&] { truths = read_truths(options.truth, quantities, end); });
   if (!truths.settings.empty() && !plan.runs.empty())
@@ -74,27 +63,8 @@ Request::Request(const ChartOptions& options) {
   require(wrong.empty(), "{}", fmt::join(wrong, "\n"));
 }
 
-/// The history of a quantity, with its unit.
-Curve history_of(const Results& results, const Quantity& quantity, std::string& unit) {
-  Curve curve{.time = results.history("time").values, .values = {}};
-  for (const std::string& column : quantity.columns()) {
-    Series series = results.history(column);
-    unit = series.unit;
-    if (curve.values.empty()) {
-      curve.values = std::move(series.values);
-      continue;
-    }
-    for (std::size_t k = 0; k < std::min(curve.values.size(), series.values.size()); ++k)
-      curve.values[k] -= series.values[k];
-  }
-  const std::size_t rows = std::min(curve.time.size(), curve.values.size());
-  curve.time.resize(rows);
-  curve.values.resize(rows);
-  return curve;
-}
-
 /// The dearest run that finished, which is the true one where nothing else was said.
-std::size_t dearest(const ChartPlan& plan, const std::vector<FinishedRun>& runs) {
+std::size_t dearest(const StudyPlan& plan, const std::vector<FinishedRun>& runs) {
   std::size_t best = none;
   for (std::size_t k = 0; k < runs.size(); ++k)
     if (runs[k].finished && plan.runs[k].start == 0 &&
@@ -203,7 +173,7 @@ ChartTable table_of(const ChartOptions& options, const Request& request, const s
 
 int chart_command(const ChartOptions& options) {
   const Request request(options);
-  const ChartRuns folder(options.out);
+  const StudyRuns folder(options.out);
   const std::vector<FinishedRun> runs = folder.run(request.plan, options.case_path, options.cores);
   std::size_t truth = request.truth_run;
   if (request.truths.needs_run()) {

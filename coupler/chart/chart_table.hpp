@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "coupler/chart/chart_plan.hpp"
-#include "coupler/chart/chart_runs.hpp"
-#include "coupler/chart/quantity.hpp"
+#include "coupler/study/plan.hpp"
+#include "coupler/study/quantity.hpp"
+#include "coupler/study/runs.hpp"
 
 namespace cosurge {
 

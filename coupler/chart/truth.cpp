@@ -7,7 +7,7 @@
 
 #include "common/case/table.hpp"
 #include "common/error.hpp"
-#include "coupler/chart/words.hpp"
+#include "coupler/study/words.hpp"
 
 namespace cosurge {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "coupler/chart/quantity.hpp"
+#include "coupler/study/quantity.hpp"
 
 namespace cosurge {
 

@@ -37,10 +37,8 @@ Json start_of(const v1::Case& the_case, const Participants& participants) {
 }  // namespace
 
 void require_picture_file(const fs::path& file) {
-  require(file.extension() == ".html",
-          "--picture {}: the picture is an HTML page: its name must end in .html. For a PNG open it and take "
-          "a screenshot",
-          file.string());
+  require(file.extension() == ".html" || file.extension() == ".png",
+          "--picture {}: the name must end in .png (a picture) or .html (a page for a browser)", file.string());
   require(!fs::exists(file), "--picture {}: exists already; choose another name", file.string());
   const fs::path folder = fs::absolute(file).parent_path();
   require(fs::is_directory(folder), "--picture {}: there is no folder {}", file.string(), folder.string());

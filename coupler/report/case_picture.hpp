@@ -7,7 +7,7 @@
 
 namespace cosurge {
 
-/// @throws Error where `file` exists, is no .html, or its folder does not exist.
+/// @throws Error where `file` exists, is no .html or .png, or its folder does not exist.
 void require_picture_file(const std::filesystem::path& file);
 
 /// Writes the page with the particles at the start and the outlines of all parts of the case

@@ -24,7 +24,7 @@ fs::path place_of(const ReportOptions& options) {
 
 }  // namespace
 
-void report_command(const ReportOptions& options) {
+std::string report_page(const ReportOptions& options) {
   std::vector<std::string> wrong;
   nlohmann::ordered_json runs = nlohmann::ordered_json::array();
   const DocumentOptions document{
@@ -50,8 +50,12 @@ void report_command(const ReportOptions& options) {
     for (const auto& curve : run["references"])
       if (curve.contains("error"))
         say("warning: reference curve left out from this line on: {}\n", curve["error"].get<std::string>());
+  return page(page_document("report", std::move(runs)));
+}
+
+void report_command(const ReportOptions& options) {
+  const std::string text = report_page(options);
   const fs::path out = place_of(options);
-  const std::string text = page(page_document("report", std::move(runs)));
   replace_file(out, {text});
   say("report: {} ({:.1f} MB)\n", out.string(), 1e-6 * static_cast<double>(text.size()));
 }

@@ -11,7 +11,11 @@ struct ReportOptions {
   std::string out;                   ///< the page; empty: report.html in the first folder
   std::string case_folder;  ///< folder with reference/*.csv; empty: the folders that the results name
   double megabytes = 5;     ///< that the page may take, about
+  std::string video;        ///< an MP4 in place of the page; empty: none
 };
+
+/// The page as text. @throws as report_command().
+std::string report_page(const ReportOptions& options);
 
 /// Writes the page, and says where. The one in a folder of results is replaced; a file that `out` names must
 /// not exist. Works during the run, and after it was killed.

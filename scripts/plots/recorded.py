@@ -16,7 +16,8 @@ class Run:
     """The data recorded so far."""
 
     def __init__(self, folder):
-        with h5py.File(folder / "results.h5", "r") as file:
+        self.file = folder / "results.h5"
+        with h5py.File(self.file, "r") as file:
             self.title = str(file.attrs["title"])
             self.case = json.loads(file.attrs["case"])
             case_file = str(file.attrs.get("case_file", ""))
@@ -39,6 +40,12 @@ class Run:
         groups = {name: group for name, group in file["frames"].items() if isinstance(group, h5py.Group)}
         arrays = {name: {array: group[array][k] for array in group} for name, group in groups.items()}
         return {"time": self.frame_times[k], **arrays}
+
+    def all_frames(self, member, array):
+        """Frames x particles (x components); None where the run has no such array, or no frame."""
+        with h5py.File(self.file, "r") as file:
+            path = f"frames/{member}/{array}"
+            return file[path][:len(self.frame_times)] if path in file and len(self.frame_times) else None
 
     @property
     def time(self):

@@ -42,7 +42,7 @@ def fig2_snapshots(folder):
         window(axes)
     figure.canvas.draw()
     for axes, frame in zip(grid.flat, frames.frames):
-        image = snapshots.draw_frame(frames, axes, frame, frames.spacing, 3000.0)
+        image = snapshots.draw_frame(frames, axes, frame, frames.spacing, 3.0)
     figure.colorbar(image, ax=grid, label="pressure [kPa]", shrink=0.8, extend="max")
     return figure
 

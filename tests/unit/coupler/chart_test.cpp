@@ -7,7 +7,7 @@
 
 #include "common/case/case_file.hpp"
 #include "common/error.hpp"
-#include "coupler/chart/chart_plan.hpp"
+#include "coupler/study/plan.hpp"
 #include "coupler/chart/chart_table.hpp"
 #include "coupler/chart/pareto.hpp"
 #include "coupler/chart/truth.hpp"
@@ -145,21 +145,21 @@ TEST(ChartFront, HasTheRunsThatNoneIsCheaperAndBetterThan) {
   EXPECT_TRUE(std::isnan(ratio[5]));
 }
 
-ChartOptions options() {
-  ChartOptions options;
+StudyOptions options() {
+  StudyOptions options;
   options.case_path = small_dam_break;
   return options;
 }
 
-TEST(ChartPlan, CombinesRowsOfAFileWithAGrid) {
+TEST(StudyPlan, CombinesRowsOfAFileWithAGrid) {
   const ScratchFolder scratch;
   const std::string file = scratch.path() / "plan.csv";
   std::ofstream(file) << "# two settings\nsolid.model,gravity\nmodal,\nfem,\"[0, -5]\"\n";
-  ChartOptions some = options();
+  StudyOptions some = options();
   some.plan = file;
   some.over = {"time.window=none,1e-4"};
   some.scatter = 1;
-  const ChartPlan plan = read_plan(some);
+  const StudyPlan plan = read_plan(some);
   EXPECT_THAT(plan.keys, ElementsAre("solid.model", "gravity", "time.window"));
   ASSERT_EQ(plan.runs.size(), 8U);
   EXPECT_THAT(plan.runs[0].settings, ElementsAre("solid.model=modal", "time.window=none"));
@@ -170,8 +170,8 @@ TEST(ChartPlan, CombinesRowsOfAFileWithAGrid) {
   EXPECT_NEAR(plan.runs[1].the_case.gravity(1) / -9.81 - 1, 1e-6, 1e-9);
 }
 
-TEST(ChartPlan, SaysEverythingThatIsWrongAtOnce) {
-  ChartOptions some = options();
+TEST(StudyPlan, SaysEverythingThatIsWrongAtOnce) {
+  StudyOptions some = options();
   some.over = {"solid.density=-1,1000", "time.window=1,2e-4", "solid.jelly=fem"};
   const std::string fault = fault_of([&] { read_plan(some); });
   EXPECT_THAT(fault, HasSubstr("solid.density"));
@@ -181,7 +181,7 @@ TEST(ChartPlan, SaysEverythingThatIsWrongAtOnce) {
   some.over = {"time.window=1e-4", "time.window=2e-4"};
   EXPECT_THAT(fault_of([&] { read_plan(some); }), HasSubstr("a key is given twice"));
   some.over = {};
-  EXPECT_THAT(fault_of([&] { read_plan(some); }), HasSubstr("needs --over"));
+  EXPECT_THAT(fault_of([&] { read_plan(some); }), HasSubstr("--plan FILE.csv is missing"));
   const ScratchFolder scratch;
   some.plan = scratch.path() / "plan.csv";
   std::ofstream(some.plan) << "solid.model,time.window\nfem\nmodal,1e-4,3\n";

@@ -1,0 +1,38 @@
+// A run that is recorded: results, checkpoints, summary, and what is said while it goes.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+
+#include "coupler/interruption.hpp"
+#include "coupler/progress/json_progress.hpp"
+#include "coupler/provenance.hpp"
+#include "coupler/resumption.hpp"
+#include "coupler/simulation.hpp"
+#include "coupler/summary.hpp"
+
+namespace cosurge {
+
+/// What a run says while it goes.
+enum class Telling {
+  line,   ///< solvers, a line of progress, the end
+  quiet,  ///< only warnings, and the end if the run did not finish
+  json    ///< lines of JSON on the standard output, words on the standard error
+};
+
+/// A new case, or a resumption.
+struct RecordedRun {
+  v1::Case the_case;
+  std::filesystem::path folder;  ///< of the results, which the caller holds
+  Provenance provenance;
+  const Resumption* resumption = nullptr;
+  Telling telling = Telling::line;
+  JsonLines* lines = nullptr;                ///< where telling is json
+  std::function<bool()> stop = interrupted;  ///< asked after every window
+};
+
+/// Runs a simulation whose participants are chosen, with results in the folder. Failures of the computation
+/// are in the outcome. @throws Error when the run cannot start.
+Outcome run_recorded(Simulation& simulation, const RecordedRun& job);
+
+}  // namespace cosurge

@@ -1,0 +1,26 @@
+// What the words of the options of a study have in common.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cosurge {
+
+std::string without_blanks(std::string text);
+
+/// The finite number that the whole text is; nothing if it is another text.
+std::optional<double> number_of(const std::string& text);
+
+/// Calls `read` and appends the message of what it throws to `wrong`, each message once.
+template <typename Read>
+void note_errors(std::vector<std::string>& wrong, const Read& read) {
+  try {
+    read();
+  } catch (const std::exception& error) {
+    if (std::find(wrong.begin(), wrong.end(), error.what()) == wrong.end()) wrong.emplace_back(error.what());
+  }
+}
+
+}  // namespace cosurge
