@@ -13,6 +13,7 @@
 #include "coupler/chart/chart_command.hpp"
 #include "coupler/check_command.hpp"
 #include "coupler/csv_command.hpp"
+#include "coupler/keys_command.hpp"
 #include "coupler/map_command.hpp"
 #include "coupler/report/report_command.hpp"
 #include "coupler/report/watch_command.hpp"
@@ -47,6 +48,11 @@ void add_solvers(CLI::App& command, cosurge::RunOptions& options) {
           "the address (solid=tcp://*:5555; default: a socket on this machine). The command to start it is "
           "printed")
       ->take_all()
+      ->excludes(in_process);
+  command
+      .add_option("--allow", options.allow,
+                  "File with the machines that may connect to a tcp:// address, a line NAME KEY each, as "
+                  "cosurge keys prints it; needed unless the address is 127.0.0.1")
       ->excludes(in_process);
   command
       .add_option("--solid", options.solid,
@@ -191,6 +197,12 @@ int main(int argc, char** argv) {
   run_app->add_option("--out", run.out,
                       "Folder of the results (default: results/NAME, with a number if it exists)");
   add_solvers(*run_app, run);
+  run_app
+      ->add_option(
+          "--fault", run.faults,
+          "Let a solver fail: KIND:SOLVER@TIME, for instance kill:solid@0.05 with the time in s; kill or "
+          "freeze its process, delay its answer by 5 s, or corrupt its answer")
+      ->take_all();
 
   cosurge::RunOptions resume;
   CLI::App* resume_app = app.add_subcommand("resume",
@@ -224,6 +236,9 @@ int main(int argc, char** argv) {
   CLI::App* status_app =
       app.add_subcommand("status", "Show the progress and speed of a run, and how to resume it");
   status_app->add_option("folder", status_folder, "Folder of its results")->required();
+
+  CLI::App* keys_app = app.add_subcommand(
+      "keys", "Show the public key of this machine, for runs across machines; make its keys if it has none");
 
   CLI::App* selftest_app = app.add_subcommand(
       "selftest",
@@ -288,6 +303,10 @@ int main(int argc, char** argv) {
     if (*run_app) return cosurge::run_command(run);
     if (*status_app) {
       cosurge::say("{}", cosurge::status_of(status_folder));
+      return 0;
+    }
+    if (*keys_app) {
+      cosurge::say("{}", cosurge::keys_command());
       return 0;
     }
     if (*advise_app) {

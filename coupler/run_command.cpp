@@ -13,6 +13,7 @@
 #include "common/solvers.hpp"
 #include "coupler/checkpoint.hpp"
 #include "coupler/conclusion.hpp"
+#include "coupler/fault.hpp"
 #include "coupler/interruption.hpp"
 #include "coupler/progress.hpp"
 #include "coupler/recorder.hpp"
@@ -54,6 +55,10 @@ void require_names(const RunOptions& options, const v1::Case& the_case) {
   for (const std::string& text : options.by_hand)
     require(named(names, text), "--by-hand {}: must be one of {}, or NAME=tcp://ADDRESS:PORT", text,
             fmt::join(names, ", "));
+  const auto over_tcp = [](const std::string& text) { return text.find("=tcp://") != std::string::npos; };
+  require(options.allow.empty() || std::any_of(options.by_hand.begin(), options.by_hand.end(), over_tcp),
+          "--allow is for a solver that somebody else starts at a tcp:// address: give --by-hand "
+          "NAME=tcp://ADDRESS:PORT too");
   if (!has_several_solids(the_case)) {
     require(options.solid.size() <= 1,
             "--solid {}: the case has one structure, only one program can compute it",
@@ -75,6 +80,7 @@ void start(Simulation& simulation, const RunOptions& options, Role role, const s
   const Reach reach{.patience = options.patience,
                     .threads = options.threads,
                     .log = folder / (name + "_solver.log"),
+                    .allow = options.allow,
                     .solid = solid};
   if (options.in_process)
     return fluid ? simulation.in_thread(make_fluid_solver(), reach)
@@ -84,12 +90,22 @@ void start(Simulation& simulation, const RunOptions& options, Role role, const s
   simulation.in_process(role, fluid ? "" : program_of(options, solid), reach);
 }
 
+/// The faults that the options ask for. @throws Error
+std::vector<Fault> wanted_faults(const RunOptions& options, const v1::Case& the_case) {
+  std::vector<std::string> solvers = solid_names(the_case), elsewhere;
+  if (the_case.has_fluid()) solvers.insert(solvers.begin(), "fluid");
+  for (const std::string& name : solvers)
+    if (options.in_process || of_name(options.by_hand, name)) elsewhere.push_back(name);
+  return faults_of(options.faults, solvers, the_case.time().end(), elsewhere);
+}
+
 /// A new case, or a resumption.
 struct Job {
   v1::Case the_case;
   fs::path folder;  // folder of the results
   Provenance provenance;
   const Resumption* resumption = nullptr;
+  std::vector<Fault> faults = {};
 };
 
 /// The new recorder of a run, with the data that the run had recorded when the checkpoint was written.
@@ -118,15 +134,20 @@ std::unique_ptr<Recorder> make_recorder(const Job& job, const Coupler& coupler) 
 }
 
 /// All windows, and how it went.
-Outcome compute(Simulation& simulation, Recorder& recorder, CheckpointWriter& checkpoints) {
+Outcome compute(Simulation& simulation, Recorder& recorder, CheckpointWriter& checkpoints,
+                std::vector<Fault> faults) {
   const auto by_signal = [&] {
     return fmt::format("by {} at t = {:.6g} s", interruption().value_or("a signal"), simulation.time());
   };
   Progress progress(simulation.the_case(), simulation.members(), simulation.columns(), stdout);
   for (Observer* observer : std::initializer_list<Observer*>{&recorder, &checkpoints, &progress})
     simulation.observe(*observer);
+  const auto stop = [&] {
+    let_fail(faults, simulation);
+    return interrupted();
+  };
   try {
-    if (simulation.run(interrupted)) return {.status = "finished", .reason = ""};
+    if (simulation.run(stop)) return {.status = "finished", .reason = ""};
     recorder.flush();
     checkpoints.write();
     return {.status = "interrupted", .reason = by_signal()};
@@ -143,7 +164,7 @@ Outcome compute(Simulation& simulation, Recorder& recorder, CheckpointWriter& ch
 
 /// The run once the solvers are started. Returns the exit status.
 int run_with(Simulation& simulation, const Job& job) {
-  const auto& [the_case, folder, provenance, resumption] = job;
+  const auto& [the_case, folder, provenance, resumption, faults] = job;
   say("{}\n", the_case.title());
   simulation.begin();
   Coupler& coupler = simulation.coupler();
@@ -159,7 +180,7 @@ int run_with(Simulation& simulation, const Job& job) {
 
   const auto recorder = make_recorder(job, coupler);
   CheckpointWriter checkpoints(folder, the_case, coupler);
-  Outcome outcome = compute(simulation, *recorder, checkpoints);
+  Outcome outcome = compute(simulation, *recorder, checkpoints, faults);
   outcome.exchange_seconds = simulation.exchange_seconds();
   simulation.end(outcome.status == "finished" ? "the run is over" : outcome.reason, interrupted());
   conclude(folder, coupler, *recorder, checkpoints.time(), outcome);
@@ -193,11 +214,13 @@ int launch(const RunOptions& options, const Job& job) {
 int run_command(const RunOptions& options) {
   const v1::Case the_case = load_case(options.case_path, options.overrides);
   require_names(options, the_case);
+  const std::vector<Fault> faults = wanted_faults(options, the_case);
   for (const std::string& doubt : doubts(the_case)) say("warning: {}\n", doubt);
   const ResultFolder folder(options.case_path, options.out);
   return launch(options, {.the_case = the_case,
                           .folder = folder.path(),
-                          .provenance = Provenance::of_case(options.case_path, options.overrides)});
+                          .provenance = Provenance::of_case(options.case_path, options.overrides),
+                          .faults = faults});
 }
 
 int resume_command(const RunOptions& options) {
