@@ -36,12 +36,16 @@ void AddedMassRatio::save(StateWriter& state) const {
   for (const Field* field : {&velocity_, &acceleration_, &change_}) put_sized(state, *field);
 }
 
-void AddedMassRatio::restore(StateReader& state) {
+void AddedMassRatio::restore(InterfaceReader& state) {
   state.get(value_);
   state.get(seen_);
   state.get(product_);
   state.get(square_);
-  for (Field* field : {&velocity_, &acceleration_, &change_}) get_sized(state, *field);
+  int fields = 0;
+  for (Field* field : {&velocity_, &acceleration_, &change_})
+    require(state.get_field(*field) == (seen_ > fields++) && seen_ >= 0 && seen_ <= 3,
+            "saved state: the added-mass ratio has seen {} windows, and its fields do not fit; it is damaged",
+            seen_);
 }
 
 }  // namespace cosurge

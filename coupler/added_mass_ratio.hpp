@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/participant.hpp"
-#include "common/state_bytes.hpp"
+#include "coupler/interface_reader.hpp"
 
 namespace cosurge {
 
@@ -23,7 +23,7 @@ class AddedMassRatio {
   double value() const { return value_; }  ///< [-], >= 0; 0 as long as nothing is known
 
   void save(StateWriter& state) const;
-  void restore(StateReader& state);
+  void restore(InterfaceReader& state);
 
   static constexpr double memory = 10;  ///< windows
 

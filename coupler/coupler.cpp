@@ -59,7 +59,7 @@ bool Coupler::run(const Observers& observers, const std::function<bool()>& stop)
   while (!schedule_.finished()) {
     if (stop()) {
       if (waiting_.empty()) return false;
-      StateReader scheme(settled_scheme_);
+      InterfaceReader scheme = reader(settled_scheme_);
       scheme_->restore(scheme);
       go_back();
       return false;
@@ -105,7 +105,7 @@ void Coupler::settle(const Observers& observers) {
 
 void Coupler::go_back() {
   waiting_.clear();
-  StateReader state(settled_);
+  InterfaceReader state = reader(settled_);
   restore_all_but_scheme(state);
   state.finish();
 }
@@ -145,7 +145,7 @@ std::string Coupler::save() const {
 }
 
 void Coupler::restore(const std::string& bytes, bool same_scheme) {
-  StateReader state(bytes);
+  InterfaceReader state = reader(bytes);
   restore_all_but_scheme(state);
   if (same_scheme) {
     scheme_->restore(state);
@@ -167,11 +167,16 @@ void Coupler::save_all_but_scheme(StateWriter& state) const {
   for (Participant* participant : all()) state.put(participant->save());
 }
 
-void Coupler::restore_all_but_scheme(StateReader& state) {
+InterfaceReader Coupler::reader(const std::string& state) const {
+  return {state, interface_.dimension, interface_.points()};
+}
+
+void Coupler::restore_all_but_scheme(InterfaceReader& state) {
   schedule_.restore(state);
   account_.restore(state);
   state.get(unconverged_);
   state.get(largest_);
+  require(largest_ > 0, "saved state: the next window is {} s, must be > 0; it is damaged", largest_);
   InterfaceMotion& motion = state_.motion;
   for (Field* field : {&motion.displacement, &motion.velocity, &motion.ramp_increment, &state_.load.force})
     state.get(*field);

@@ -57,7 +57,8 @@ class Coupler {
   std::vector<Participant*> all() const;
   void take_in(const std::string& name, const Participant& participant, const Setup& setup);
   void save_all_but_scheme(StateWriter& state) const;
-  void restore_all_but_scheme(StateReader& state);
+  void restore_all_but_scheme(InterfaceReader& state);
+  InterfaceReader reader(const std::string& state) const;  ///< the string must outlive it
 
   v1::Case case_;
   Participants participants_;

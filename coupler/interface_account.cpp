@@ -41,11 +41,11 @@ void InterfaceAccount::save(StateWriter& state) const {
   put_sized(state, load_);
 }
 
-void InterfaceAccount::restore(StateReader& state) {
+void InterfaceAccount::restore(InterfaceReader& state) {
   state.get(work_);
   state.get(seen_work_);
   state.get(passed_);
-  get_sized(state, load_);
+  state.get_field(load_);
 }
 
 }  // namespace cosurge

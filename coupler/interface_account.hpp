@@ -1,7 +1,7 @@
 // Work and force at the interface.
 #pragma once
 
-#include "common/state_bytes.hpp"
+#include "coupler/interface_reader.hpp"
 #include "coupler/interface_state.hpp"
 
 namespace cosurge {
@@ -36,7 +36,7 @@ class InterfaceAccount {
   std::vector<double> values() const;
 
   void save(StateWriter& state) const;
-  void restore(StateReader& state);
+  void restore(InterfaceReader& state);
 
  private:
   bool ramped_;

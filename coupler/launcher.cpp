@@ -1,5 +1,7 @@
 #include "coupler/launcher.hpp"
 
+#include <csignal>
+
 #include "common/threads.hpp"
 #include "common/wire/serve.hpp"
 
@@ -25,10 +27,11 @@ Solver::Solver(Solver&&) noexcept = default;
 
 Solver Solver::waiting(Role role, const Wiring& wiring) {
   const std::string socket = fmt::format("ipc://{}/{}", wiring.folder.string(), name_of(role, wiring.name));
-  Channel channel = Channel::listen(wiring.listen.empty() ? socket : wiring.listen,
-                                    {.peer = solver_name(role, wiring.name),
-                                     .patience = wiring.patience,
-                                     .message_limit = wiring.message_limit});
+  Channel channel =
+      Channel::listen(wiring.listen.empty() ? socket : wiring.listen, {.peer = solver_name(role, wiring.name),
+                                                                       .patience = wiring.patience,
+                                                                       .message_limit = wiring.message_limit,
+                                                                       .allowed = wiring.allowed});
   const Connection connection{
       .role = role, .endpoint = channel.endpoint(), .token = new_token(), .server_key = channel.server_key()};
   write_connection(connection, connection_file(role, wiring));
@@ -91,6 +94,14 @@ RemoteParticipant& Solver::join(int dimension, const std::vector<std::string>& c
   else
     participant_ = std::make_unique<RemoteSolid>(std::move(channel), expected, ended);
   return *participant_;
+}
+
+void Solver::fail(SolverFault fault) {
+  constexpr double late = 5;  // [s]: longer than a peer without a sign of life is waited for
+  if (fault == SolverFault::delay) return participant_->set_mishap({.delay = late, .damage = false});
+  if (fault == SolverFault::corrupt) return participant_->set_mishap({.delay = 0, .damage = true});
+  require(process_ != nullptr, "the {} solver is not a process that was started here", role_name(role_));
+  ::kill(process_->pid(), fault == SolverFault::kill ? SIGKILL : SIGSTOP);
 }
 
 void Solver::tell(const std::string& reason) {

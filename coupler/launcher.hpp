@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "common/wire/remote_participant.hpp"
+#include "coupler/solver_fault.hpp"
 #include "coupler/solver_process.hpp"
 
 namespace cosurge {
@@ -20,6 +21,7 @@ struct Wiring {
   std::string listen;            ///< "tcp://address:port", or empty for a socket in the folder
   double patience = 600;         ///< longest wait for the solver's answer [s]
   std::size_t message_limit = Channel::Options{}.message_limit;  ///< [bytes]
+  std::vector<AllowedMachine> allowed = {};                      ///< as in Channel::Options
   std::string name = {};  ///< of the solver, in messages and in the names of its files; default: its role
 };
 
@@ -56,6 +58,9 @@ class Solver {
   /// After join().
   RemoteParticipant& participant() { return *participant_; }
   const RemoteParticipant& participant() const { return *participant_; }
+
+  /// Lets it fail, after join(). @throws Error where it is not a process that was started here, but must be.
+  void fail(SolverFault fault);
 
   /// Tells the solver that the run is over, and why, if it has not ended. Does not wait.
   void tell(const std::string& reason);

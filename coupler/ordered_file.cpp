@@ -217,9 +217,10 @@ const H5FD_class_t& driver_class() {
   return description;
 }
 
-/// HDF5 would keep up to 32 MB of the index in memory.
+/// HDF5 would keep up to 32 MB of the index, as it lies in the file; a node of it takes 2.6 kB there and 20
+/// kB in memory. The last node of each dataset and those above it fit in.
 void bound_cache(hid_t access) {
-  constexpr std::size_t most = std::size_t{1} << 20;
+  constexpr std::size_t most = std::size_t{1} << 18;
   H5AC_cache_config_t cache{};
   cache.version = H5AC__CURR_CACHE_CONFIG_VERSION;
   H5Pget_mdc_config(access, &cache);

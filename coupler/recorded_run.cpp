@@ -55,8 +55,12 @@ Outcome compute(const RecordedRun& job, Simulation& simulation, Recorder& record
   const auto progress = make_progress(job, simulation);
   for (Observer* observer : std::initializer_list<Observer*>{&recorder, &checkpoints, progress.get()})
     simulation.observe(*observer);
+  const auto stop = [&, faults = job.faults]() mutable {
+    let_fail(faults, simulation);
+    return job.stop();
+  };
   try {
-    if (simulation.run(job.stop)) return {.status = "finished", .reason = ""};
+    if (simulation.run(stop)) return {.status = "finished", .reason = ""};
     recorder.flush();
     checkpoints.write();
     return {.status = "interrupted", .reason = by_signal()};

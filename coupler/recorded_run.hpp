@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 
+#include "coupler/fault.hpp"
 #include "coupler/interruption.hpp"
 #include "coupler/progress/json_progress.hpp"
 #include "coupler/provenance.hpp"
@@ -28,6 +29,7 @@ struct RecordedRun {
   const Resumption* resumption = nullptr;
   Telling telling = Telling::line;
   JsonLines* lines = nullptr;                ///< where telling is json
+  std::vector<Fault> faults = {};            ///< solvers that are to fail
   std::function<bool()> stop = interrupted;  ///< asked after every window
 };
 

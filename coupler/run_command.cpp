@@ -11,6 +11,7 @@
 #include "common/case/several_solids.hpp"
 #include "common/error.hpp"
 #include "common/solvers.hpp"
+#include "coupler/fault.hpp"
 #include "coupler/interruption.hpp"
 #include "coupler/progress/json_progress.hpp"
 #include "coupler/recorded_run.hpp"
@@ -52,6 +53,10 @@ void require_names(const RunOptions& options, const v1::Case& the_case) {
   for (const std::string& text : options.by_hand)
     require(named(names, text), "--by-hand {}: must be one of {}, or NAME=tcp://ADDRESS:PORT", text,
             fmt::join(names, ", "));
+  const auto over_tcp = [](const std::string& text) { return text.find("=tcp://") != std::string::npos; };
+  require(options.allow.empty() || std::any_of(options.by_hand.begin(), options.by_hand.end(), over_tcp),
+          "--allow is for a solver that somebody else starts at a tcp:// address: give --by-hand "
+          "NAME=tcp://ADDRESS:PORT too");
   if (!has_several_solids(the_case)) {
     require(options.solid.size() <= 1,
             "--solid {}: the case has one structure, only one program can compute it",
@@ -73,6 +78,7 @@ void start(Simulation& simulation, const RunOptions& options, Role role, const s
   const Reach reach{.patience = options.patience,
                     .threads = options.threads,
                     .log = folder / (name + "_solver.log"),
+                    .allow = options.allow,
                     .solid = solid};
   if (options.in_process)
     return fluid ? simulation.in_thread(make_fluid_solver(), reach)
@@ -85,6 +91,15 @@ void start(Simulation& simulation, const RunOptions& options, Role role, const s
 /// The standard output for lines of JSON, where the options ask for them.
 std::unique_ptr<JsonLines> lines_of(const RunOptions& options) {
   return options.telling == Telling::json ? std::make_unique<JsonLines>() : nullptr;
+}
+
+/// The faults that the options ask for. @throws Error
+std::vector<Fault> wanted_faults(const RunOptions& options, const v1::Case& the_case) {
+  std::vector<std::string> solvers = solid_names(the_case), elsewhere;
+  if (the_case.has_fluid()) solvers.insert(solvers.begin(), "fluid");
+  for (const std::string& name : solvers)
+    if (options.in_process || of_name(options.by_hand, name)) elsewhere.push_back(name);
+  return faults_of(options.faults, solvers, the_case.time().end(), elsewhere);
 }
 
 int exit_of(const Outcome& outcome) {
@@ -119,13 +134,15 @@ int run_command(const RunOptions& options) {
   const std::unique_ptr<JsonLines> lines = lines_of(options);
   const v1::Case the_case = load_case(options.case_path, options.overrides);
   require_names(options, the_case);
+  const std::vector<Fault> faults = wanted_faults(options, the_case);
   for (const std::string& doubt : doubts(the_case)) say("warning: {}\n", doubt);
   const ResultFolder folder(options.case_path, options.out);
   return launch(options, {.the_case = the_case,
                           .folder = folder.path(),
                           .provenance = Provenance::of_case(options.case_path, options.overrides),
                           .telling = options.telling,
-                          .lines = lines.get()});
+                          .lines = lines.get(),
+                          .faults = faults});
 }
 
 int resume_command(const RunOptions& options) {

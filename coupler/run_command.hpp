@@ -14,11 +14,13 @@ struct RunOptions {
   std::string out;          ///< folder of the results; empty: results/NAME, numbered where it is taken
   bool in_process = false;  ///< solvers as threads of this process
   std::vector<std::string>
-      by_hand;  ///< "fluid", "solid=tcp://*:5555", "hull": solvers that somebody else starts
-  std::vector<std::string> solid;  ///< command of a program instead of solid_solver; of several structures
-                                   ///< NAME=COMMAND
-  int threads = 0;                 ///< threads of the fluid solver; 0: one per core
-  double patience = 600;           ///< longest wait for a solver's answer [s]
+      by_hand;        ///< "fluid", "solid=tcp://*:5555", "hull": solvers that somebody else starts
+  std::string allow;  ///< file with the machines that may connect over TCP
+  std::vector<std::string> faults;  ///< "kill:solid@0.05": solvers that fail at a time
+  std::vector<std::string> solid;   ///< command of a program instead of solid_solver; of several structures
+                                    ///< NAME=COMMAND
+  int threads = 0;                  ///< threads of the fluid solver; 0: one per core
+  double patience = 600;            ///< longest wait for a solver's answer [s]
   Telling telling = Telling::line;
 };
 

@@ -47,7 +47,7 @@ class Scheme {
 
   /// The scheme's state between windows; after restore() results are bit-identical.
   virtual void save(StateWriter& state) const = 0;
-  virtual void restore(StateReader& state) = 0;
+  virtual void restore(InterfaceReader& state) = 0;
 };
 
 std::unique_ptr<Scheme> make_scheme(const v1::Coupling& coupling, Participants participants);

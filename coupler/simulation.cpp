@@ -105,6 +105,13 @@ class Simulation::Parts {
     }
   }
 
+  void fail(const std::string& name, SolverFault fault) {
+    for (Seat* seat : seats())
+      if (seat->name == name && seat->solver) return seat->solver->fail(fault);
+    throw Error(
+        fmt::format("\"{}\" is not a solver that computes elsewhere: it cannot be made to fail", name));
+  }
+
   double exchange_seconds() {
     double sum = 0;
     for (Seat* seat : seats())
@@ -218,7 +225,11 @@ void Simulation::in_process(Role role, const std::string& command, const Reach& 
 std::string Simulation::by_hand(Role role, const std::string& listen, const Reach& reach) {
   Seat& seat = parts_->free_seat(role, reach.solid);
   const Wiring wiring{
-      .folder = parts_->sockets(), .listen = listen, .patience = reach.patience, .name = reach.solid};
+      .folder = parts_->sockets(),
+      .listen = listen,
+      .patience = reach.patience,
+      .allowed = reach.allow.empty() ? std::vector<AllowedMachine>{} : read_allowed_machines(reach.allow),
+      .name = reach.solid};
   seat.solver.emplace(Solver::by_hand(role, wiring, program_path(program_name(role)).string()));
   return seat.solver->how_to_start();
 }
@@ -251,6 +262,7 @@ double Simulation::time() const { return parts_->coupler().time(); }
 Fluid* Simulation::fluid() { return parts_->fluid(); }
 Solid* Simulation::solid() { return parts_->solid(); }
 Coupler& Simulation::coupler() { return parts_->coupler(); }
+void Simulation::fail(const std::string& solver, SolverFault fault) { parts_->fail(solver, fault); }
 double Simulation::exchange_seconds() const { return parts_->exchange_seconds(); }
 void Simulation::end(const std::string& reason, bool at_once) { parts_->end(reason, at_once); }
 bool Simulation::left_behind() const { return parts_->left_behind(); }

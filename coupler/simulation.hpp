@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "coupler/observer.hpp"
+#include "coupler/solver_fault.hpp"
 
 namespace cosurge {
 
@@ -15,10 +16,11 @@ class Coupler;
 
 /// How a solver that computes elsewhere is reached.
 struct Reach {
-  double patience = 600;           ///< longest wait for an answer [s]
-  int threads = 0;                 ///< of the solver; 0: one a core for a fluid, one for a solid
-  std::filesystem::path log = {};  ///< what a program prints is added to it; default: NAME_solver.log
-  std::string solid = {};          ///< name of the structure, where the case has several [[solid]]
+  double patience = 600;             ///< longest wait for an answer [s]
+  int threads = 0;                   ///< of the solver; 0: one a core for a fluid, one for a solid
+  std::filesystem::path log = {};    ///< what a program prints is added to it; default: NAME_solver.log
+  std::filesystem::path allow = {};  ///< file with machines that may connect (docs/across_machines.md)
+  std::string solid = {};            ///< name of the structure, where the case has several [[solid]]
 };
 
 /// First the participants are chosen, then begin() sets them up and run() goes through the windows. For a
@@ -56,7 +58,7 @@ class Simulation {
   void in_process(Role role, const std::string& command = "", const Reach& reach = {});
 
   /// A solver that somebody else starts: by the command that is returned, on this machine, or with `listen`
-  /// = "tcp://*:5555" on another one.
+  /// = "tcp://*:5555" and `reach.allow` on another one.
   std::string by_hand(Role role, const std::string& listen = "", const Reach& reach = {});
 
   /// Questions that are asked ten times a second: whether to give up the wait for solvers to join, and
@@ -88,6 +90,10 @@ class Simulation {
   Fluid* fluid();                              ///< null where the case has none
   Solid* solid();                              ///< null where the case has none; several structures as one
   Coupler& coupler();
+
+  /// Lets the solver of this name fail: "fluid", "solid", or that of one of several structures. Once it has
+  /// begun. @throws Error where no such solver computes elsewhere, or its process is not a child of this one.
+  void fail(const std::string& solver, SolverFault fault);
 
   /// Seconds that messages have cost beyond what the solvers computed.
   double exchange_seconds() const;

@@ -57,12 +57,15 @@ void WindowSchedule::save(StateWriter& state) const {
   state.put(finished_);
 }
 
-void WindowSchedule::restore(StateReader& state) {
+void WindowSchedule::restore(InterfaceReader& state) {
   state.get(time_);
   state.get(index_);
   state.get(frames_);
   state.get(at_frame_);
   state.get(finished_);
+  constexpr double most = 9007199254740992.0;  // 2^53: a double holds no larger number of windows exactly
+  require(time_ >= 0 && time_ < most * longest_ && index_ < static_cast<std::uint64_t>(most),
+          "saved state: t = {} s after {} windows; it is damaged", time_, index_);
   finished_ = time_ >= time_table_.end();
   if (time_table_.stepping() != v1::Time::fixed) return;
   const double size = longest_, windows = std::round(time_ / size);

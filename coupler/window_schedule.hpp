@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/participant.hpp"
-#include "common/state_bytes.hpp"
+#include "coupler/interface_reader.hpp"
 #include "proto/case.pb.h"
 
 namespace cosurge {
@@ -24,7 +24,7 @@ class WindowSchedule {
 
   /// For a case whose windows, frames and end may have changed.
   /// @throws Error where fixed windows do not reach the time that is restored.
-  void restore(StateReader& state);
+  void restore(InterfaceReader& state);
 
   double time() const { return time_; }
   std::uint64_t windows() const { return index_; }

@@ -38,6 +38,7 @@ ProbeMount mount_in_fluid(const v1::Fluid& fluid, const Vec<dim>& x) {
 ProbeMount mount_of(const v1::Case& the_case, const v1::Probe& probe) {
   const int body = body_at(the_case.solid(), probe.position());
   if (body >= 0) return {.on = ProbeMount::On::body, .number = body};
+  if (!the_case.has_fluid()) return {};
   return the_case.dimension() == 2 ? mount_in_fluid<2>(the_case.fluid(), from_case<2>(probe.position()))
                                    : mount_in_fluid<3>(the_case.fluid(), from_case<3>(probe.position()));
 }

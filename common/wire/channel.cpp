@@ -32,7 +32,7 @@ Channel::Channel(Channel&& other) noexcept = default;
 Channel::~Channel() = default;
 
 Channel Channel::listen(const std::string& endpoint, Options options) {
-  auto line = Line::listen(endpoint, options.message_limit);
+  auto line = Line::listen(endpoint, options.message_limit, options.allowed);
   return {std::move(line), std::move(options)};
 }
 
@@ -85,6 +85,7 @@ void Channel::put(zmq::message_t&& bytes) {
 void Channel::receive(google::protobuf::Message& message, const std::string& awaited, std::size_t limit) {
   zmq::message_t bytes;
   if (!line_->take(bytes)) bytes = wait_for_message(awaited);
+  suffer_mishap(bytes);
   ++traffic_.messages;
   traffic_.bytes_received += bytes.size();
   limit = std::min(limit, options_.message_limit);
@@ -120,6 +121,16 @@ zmq::message_t Channel::wait_for_message(const std::string& awaited) {
   throw PeerLost(
       fmt::format("{}: no message within {:.4g} s, the limit set by --patience; {} was awaited{}{}", peer(),
                   options_.patience, awaited, trouble.empty() ? "" : "; ", trouble));
+}
+
+void Channel::suffer_mishap(zmq::message_t& message) {
+  const Mishap mishap = std::exchange(mishap_, {});
+  const Clock::time_point start = Clock::now();
+  while (seconds_since(start) < mishap.delay && !(cancelled_ && cancelled_()))
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  if (!mishap.damage) return;
+  for (auto *byte = message.data<char>(), *end = byte + message.size(); byte != end; ++byte)
+    *byte = static_cast<char>(~*byte);
 }
 
 std::optional<std::string> Channel::cause_of_end(zmq::message_t& last_message) {

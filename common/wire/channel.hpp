@@ -14,6 +14,7 @@
 
 #include "common/error.hpp"
 #include "common/wire/connection.hpp"
+#include "common/wire/keys.hpp"
 
 namespace google::protobuf {
 class Message;
@@ -42,6 +43,7 @@ class Channel {
     double patience = 600;                ///< longest wait for one message [s]
     /// [bytes]; a larger message would not pass between two heartbeats (line.hpp)
     std::size_t message_limit = std::size_t{1} << 28;
+    std::vector<AllowedMachine> allowed = {};  ///< that may connect over TCP; empty: only from this machine
   };
 
   /// Messages and bytes so far.
@@ -52,6 +54,12 @@ class Channel {
     double waiting = 0;  ///< [s] asleep in receive()
   };
 
+  /// What happens to a message on its way, where a user wants to see the consequences.
+  struct Mishap {
+    double delay = 0;     ///< [s] that it arrives late
+    bool damage = false;  ///< every bit is inverted
+  };
+
   /// Says why the peer has ended, once it has; asked ten times a second while waiting.
   using PeerEnded = std::function<std::optional<std::string>()>;
 
@@ -60,7 +68,8 @@ class Channel {
   using Cancelled = std::function<bool()>;
 
   /// Binds "ipc:///path" (at most 107 characters of path) or "tcp://address:port" (port "*": any free one),
-  /// always with CURVE keys, made here. @throws Error
+  /// the latter always with CURVE keys, made here, and for other machines only with options.allowed. @throws
+  /// Error
   static Channel listen(const std::string& endpoint, Options options);
 
   /// Tries to reach the coupler as long as patience lasts. @throws Error, as for tcp without a key.
@@ -80,6 +89,9 @@ class Channel {
   void set_peer(std::string name) { options_.peer = std::move(name); }
   void set_peer_ended(PeerEnded peer_ended) { peer_ended_ = std::move(peer_ended); }
   void set_cancelled(Cancelled cancelled) { cancelled_ = std::move(cancelled); }
+
+  /// Of the next message that arrives.
+  void set_mishap(const Mishap& mishap) { mishap_ = mishap; }
 
   /// Over TCP, closes connections that send much without having shown their key; receive() does so itself.
   void turn_away_strangers();
@@ -103,6 +115,7 @@ class Channel {
   Channel(std::unique_ptr<Line> line, Options options);
 
   zmq::message_t wait_for_message(const std::string& awaited);
+  void suffer_mishap(zmq::message_t& message);
   std::optional<std::string> cause_of_end(zmq::message_t& last_message);
   void put(zmq::message_t&& bytes);
 
@@ -110,6 +123,7 @@ class Channel {
   Options options_;
   PeerEnded peer_ended_;
   Cancelled cancelled_;
+  Mishap mishap_;
   Traffic traffic_;
   bool lost_ = false;
 };

@@ -185,7 +185,7 @@ Setup decode(const v1::Initialized& message) {
           setup.substep);
   require(message.columns_size() <= most_columns, "{} columns, must be <= {}", message.columns_size(),
           most_columns);
-  for (const v1::Column& column : message.columns()) require_name(column.name(), "column");
+  for (const v1::Column& column : message.columns()) require_name(column.name(), "a column");
   for (const v1::Column& column : message.columns()) setup.columns.push_back({column.name(), column.unit()});
   return setup;
 }
@@ -220,7 +220,7 @@ Snapshot decode(const v1::Snapshot& message) {
   Snapshot snapshot;
   require_few_arrays(message.arrays_size());
   for (const v1::Array& array : message.arrays()) {
-    require_name(array.name(), "array");
+    require_name(array.name(), "an array");
     const std::uint32_t components = array.components();
     require(components >= 1 && components <= most_components &&
                 array.values_size() % static_cast<int>(components) == 0,

@@ -45,16 +45,21 @@ std::shared_ptr<zmq::context_t> context_of_process() {
   return context;
 }
 
-struct CurveKeys {
-  std::array<char, 41> open{};  // Z85, as zmq_curve_keypair wants it
-  std::array<char, 41> secret{};
-};
+/// Whether only this machine can reach an address of TCP.
+bool is_loopback(const std::string& endpoint) {
+  const std::string host = endpoint.substr(std::strlen("tcp://"));
+  return host.starts_with("127.") || host.starts_with("localhost:") || host.starts_with("[::1]:") ||
+         host.starts_with("lo:");
+}
 
-CurveKeys new_keys() {
-  CurveKeys keys;
-  require(zmq_has("curve") == 1 && zmq_curve_keypair(keys.open.data(), keys.secret.data()) == 0,
-          "this ZeroMQ was built without CURVE encryption, which tcp:// needs");
-  return keys;
+/// Keys of the side that connects.
+CurveKeys own_keys(const std::string& endpoint) {
+  if (const auto keys = machine_keys()) return *keys;
+  require(is_loopback(endpoint),
+          "endpoint {}: this machine has no keys; run cosurge keys, and add the line that it prints to the "
+          "file that --allow of the coupler names",
+          endpoint);
+  return new_curve_keys();
 }
 
 }  // namespace
@@ -70,15 +75,27 @@ Line::~Line() {
   if (monitor_) zmq_socket_monitor(socket_.handle(), nullptr, 0);
 }
 
-std::unique_ptr<Line> Line::listen(const std::string& endpoint, std::size_t message_limit) {
+std::unique_ptr<Line> Line::listen(const std::string& endpoint, std::size_t message_limit,
+                                   const std::vector<AllowedMachine>& allowed) {
   check(endpoint);
-  std::unique_ptr<Line> line(new Line(context_of_process()));
+  require(!is_tcp(endpoint) || is_loopback(endpoint) || !allowed.empty(),
+          "cannot listen at {} without keys: other machines can reach it; run cosurge keys on the machine of "
+          "the solver and give a file with the line that it prints, --allow FILE; or use "
+          "tcp://127.0.0.1:PORT and a tunnel (docs/across_machines.md)",
+          endpoint);
+  // A door answers for all sockets of its context.
+  const bool has_door = is_tcp(endpoint) && !allowed.empty();
+  std::unique_ptr<Line> line(new Line(has_door ? std::make_shared<zmq::context_t>(1) : context_of_process()));
   line->accepts_ = true;
+  if (has_door) {
+    line->door_.emplace(*line->context_, allowed);
+    line->socket_.set(zmq::sockopt::zap_domain, "cosurge");
+  }
   if (is_tcp(endpoint)) {
-    const CurveKeys keys = new_keys();
-    line->server_key_ = keys.open.data();
+    const CurveKeys keys = new_curve_keys();
+    line->server_key_ = keys.open;
     line->socket_.set(zmq::sockopt::curve_server, true);
-    line->socket_.set(zmq::sockopt::curve_secretkey, keys.secret.data());
+    line->socket_.set(zmq::sockopt::curve_secretkey, keys.secret);
     line->socket_.set(zmq::sockopt::handshake_ivl, handshake_time);
   }
   // Over TCP anybody may send; otherwise a message that is slightly too large still gets an error message.
@@ -105,10 +122,10 @@ std::unique_ptr<Line> Line::connect(const Connection& connection) {
             "endpoint {}: tcp:// needs the coupler's public key of 40 characters; start the coupler with a "
             "tcp:// address and use its connection file",
             connection.endpoint);
-    const CurveKeys keys = new_keys();
+    const CurveKeys keys = own_keys(connection.endpoint);
     line->socket_.set(zmq::sockopt::curve_serverkey, connection.server_key);
-    line->socket_.set(zmq::sockopt::curve_publickey, keys.open.data());
-    line->socket_.set(zmq::sockopt::curve_secretkey, keys.secret.data());
+    line->socket_.set(zmq::sockopt::curve_publickey, keys.open);
+    line->socket_.set(zmq::sockopt::curve_secretkey, keys.secret);
   }
   line->socket_.set(zmq::sockopt::connect_timeout, connect_time);
   line->watch();
@@ -172,6 +189,7 @@ bool Line::put(zmq::message_t&& message) {
 
 void Line::turn_away_strangers() {
   read_news();
+  if (door_) door_->answer();
   gate_.cut_off();
 }
 
@@ -180,6 +198,7 @@ void Line::sleep(double seconds) {
   if (gate_.has_strangers()) seconds = std::min(seconds, look_at_strangers);
   std::vector<zmq_pollitem_t> items = {{socket_.handle(), 0, ZMQ_POLLIN, 0}};
   if (monitor_) items.push_back({monitor_.handle(), 0, ZMQ_POLLIN, 0});
+  if (door_) items.push_back({door_->handle(), 0, ZMQ_POLLIN, 0});
   const int count =
       zmq_poll(items.data(), static_cast<int>(items.size()), static_cast<long>(seconds * 1000) + 1);
   if (count < 0 && zmq_errno() != EINTR) throw zmq::error_t();
@@ -213,7 +232,11 @@ void Line::note(int event, int value) {
   } else if (event == ZMQ_EVENT_HANDSHAKE_SUCCEEDED) {
     connected_ = !accepts_;
   } else if (event != ZMQ_EVENT_DISCONNECTED) {
-    trouble_ = "a handshake failed: one side has no key, or the key of another run";
+    trouble_ =
+        event == ZMQ_EVENT_HANDSHAKE_FAILED_AUTH
+            ? "the coupler does not allow the key of this machine: add the line that cosurge keys prints "
+              "here to the file that --allow of the coupler names"
+            : "a handshake failed: one side has no key, or the key of another run";
     if (!accepts_) loss_ = trouble_;
   } else {
     gate_.left(value);

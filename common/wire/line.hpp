@@ -9,6 +9,7 @@
 #include <zmq.hpp>
 
 #include "common/wire/connection.hpp"
+#include "common/wire/door.hpp"
 #include "common/wire/gate.hpp"
 
 namespace cosurge {
@@ -23,8 +24,13 @@ class Line {
 
   /// Over TCP, a peer that sends a message of more than `message_limit` bytes is cut off before the message
   /// is read, and one that has not shown its key after some seconds; nobody else can connect once the first
-  /// message was taken.
-  static std::unique_ptr<Line> listen(const std::string& endpoint, std::size_t message_limit);
+  /// message was taken. `allowed`: machines that may connect over TCP; empty: any with the key of the server,
+  /// which only an address within this machine may have. @throws Error
+  static std::unique_ptr<Line> listen(const std::string& endpoint, std::size_t message_limit,
+                                      const std::vector<AllowedMachine>& allowed = {});
+
+  /// Over TCP, with the keys of this machine. @throws Error where it has none, unless the address is within
+  /// this machine.
   static std::unique_ptr<Line> connect(const Connection& connection);
   static std::pair<std::unique_ptr<Line>, std::unique_ptr<Line>> pair();
 
@@ -42,15 +48,17 @@ class Line {
   /// Sleeps until a message or news of the peer arrives, or the time is over.
   void sleep(double seconds);
 
-  /// Over TCP, closes connections that send much without having shown their key. To be called often while a
-  /// solver is awaited; sleep() does so for this line.
+  /// Over TCP, answers who may connect, and closes connections that send much without having shown their key.
+  /// To be called often while a solver is awaited; sleep() does so for this line.
   void turn_away_strangers();
 
   /// How the connection was lost, once it was.
   std::optional<std::string> loss();
 
   /// Reason why peers could not connect so far; usually empty.
-  const std::string& trouble() const { return trouble_; }
+  const std::string& trouble() const {
+    return door_ && !door_->refused().empty() ? door_->refused() : trouble_;
+  }
 
   /// How long closing may wait for sent messages to be delivered.
   void set_linger(int milliseconds);
@@ -71,6 +79,7 @@ class Line {
   bool connected_ = false;  // as the one that connects
   int peer_descriptor_ = -1;
   Gate gate_;
+  std::optional<Door> door_;  // of a port for certain machines only
   std::optional<std::string> loss_;
   std::string trouble_;
 

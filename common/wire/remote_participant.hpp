@@ -56,6 +56,9 @@ class RemoteParticipant : public virtual Participant {
 
   Cost cost() const;
 
+  /// Of the next answer, see Channel.
+  void set_mishap(const Channel::Mishap& mishap) { channel_.set_mishap(mishap); }
+
  protected:
   /// `give` fills the request beyond the case, `take` reads the reply beyond the setup.
   template <typename Give, typename Take>

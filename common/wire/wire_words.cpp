@@ -28,7 +28,7 @@ void require_name(const std::string& name, const char* what) {
   constexpr std::size_t longest = 100;
   const bool good = !name.empty() && name.size() <= longest && name != "." && name != ".." &&
                     name.find('/') == std::string::npos && std::none_of(name.begin(), name.end(), is_control);
-  require(good, "the name of a {} is \"{}\": it must have 1 to {} characters, and no slash", what,
+  require(good, "the name of {} is \"{}\": it must have 1 to {} characters, and no slash", what,
           printable(name, longest), longest);
 }
 

@@ -19,6 +19,7 @@ struct Command {
 Command add_run(CLI::App& app);
 Command add_resume(CLI::App& app);
 Command add_status(CLI::App& app);
+Command add_keys(CLI::App& app);
 Command add_selftest(CLI::App& app);
 Command add_certify(CLI::App& app);
 

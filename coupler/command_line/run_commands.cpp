@@ -3,6 +3,7 @@
 
 #include "coupler/certify_command.hpp"
 #include "coupler/command_line/command.hpp"
+#include "coupler/keys_command.hpp"
 #include "coupler/run_command.hpp"
 #include "coupler/say.hpp"
 #include "coupler/selftest_command.hpp"
@@ -24,6 +25,11 @@ void add_solvers(CLI::App& command, RunOptions& options) {
           "the address (solid=tcp://*:5555; default: a socket on this machine). The command to start it is "
           "printed")
       ->take_all()
+      ->excludes(in_process);
+  command
+      .add_option("--allow", options.allow,
+                  "File with the machines that may connect to a tcp:// address, a line NAME KEY each, as "
+                  "cosurge keys prints it; needed unless the address is 127.0.0.1")
       ->excludes(in_process);
   command
       .add_option("--solid", options.solid,
@@ -63,6 +69,12 @@ Command add_run(CLI::App& app) {
   command->add_option("--out", options->out,
                       "Folder of the results (default: results/NAME, with a number if it exists)");
   add_solvers(*command, *options);
+  command
+      ->add_option(
+          "--fault", options->faults,
+          "Let a solver fail: KIND:SOLVER@TIME, for instance kill:solid@0.05 with the time in s; kill or "
+          "freeze its process, delay its answer by 5 s, or corrupt its answer")
+      ->take_all();
   add_telling(*command, *options);
   return {command, [options] { return run_command(*options); }};
 }
@@ -90,6 +102,15 @@ Command add_status(CLI::App& app) {
   command->add_option("folder", *folder, "Folder of its results")->required();
   return {command, [folder] {
             say("{}", status_of(*folder));
+            return 0;
+          }};
+}
+
+Command add_keys(CLI::App& app) {
+  CLI::App* command = app.add_subcommand(
+      "keys", "Show the public key of this machine, for runs across machines; make its keys if it has none");
+  return {command, [] {
+            say("{}", keys_command());
             return 0;
           }};
 }

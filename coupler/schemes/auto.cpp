@@ -85,9 +85,11 @@ void Auto::save(StateWriter& state) const {
   state.put(passed_);
 }
 
-void Auto::restore(StateReader& state) {
+void Auto::restore(InterfaceReader& state) {
   for (Scheme* scheme : schemes_) scheme->restore(state);
   for (int* number : {&choice_, &quiet_, &alternating_}) state.get(*number);
+  require(choice_ >= weak && choice_ <= strong,
+          "saved state: coupling scheme {}, must be 0 to 2; it is damaged", choice_);
   for (bool* flag : {&creates_, &marked_}) state.get(*flag);
   state.get(created_);
   state.get(passed_);

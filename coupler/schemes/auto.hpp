@@ -28,7 +28,7 @@ class Auto : public Scheme {
   bool may_go_back() const override { return choice_ != strong; }
   const AddedMassRatio& ratio() const override { return current().ratio(); }
   void save(StateWriter& state) const override;
-  void restore(StateReader& state) override;
+  void restore(InterfaceReader& state) override;
 
   static constexpr int probe_interval = 10;  ///< windows
   static constexpr int quiet_windows = 300;  ///< with a small gain, before it is `weak` again

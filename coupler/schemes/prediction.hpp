@@ -1,8 +1,11 @@
 // The velocity that the water sees first in a window.
 #pragma once
 
+#include <cmath>
+
+#include "common/error.hpp"
 #include "common/participant.hpp"
-#include "common/state_bytes.hpp"
+#include "coupler/interface_reader.hpp"
 #include "proto/case.pb.h"
 
 namespace cosurge {
@@ -30,10 +33,11 @@ class Prediction {
     state.put(end_);
     put_sized(state, before_);
   }
-  void restore(StateReader& state) {
+  void restore(InterfaceReader& state) {
     state.get(size_);
     state.get(end_);
-    get_sized(state, before_);
+    require(std::isfinite(size_) && std::isfinite(end_) && state.get_field(before_) == (size_ > 0),
+            "saved state: the last window has {} s, and its velocity does not fit; it is damaged", size_);
   }
 
  private:

@@ -24,7 +24,7 @@ void Weak::save(StateWriter& state) const {
   ratio_.save(state);
 }
 
-void Weak::restore(StateReader& state) {
+void Weak::restore(InterfaceReader& state) {
   prediction_.restore(state);
   ratio_.restore(state);
 }

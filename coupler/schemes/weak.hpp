@@ -20,7 +20,7 @@ class Weak : public Scheme {
   const Effort& effort() const override { return effort_; }
   const AddedMassRatio& ratio() const override { return ratio_; }
   void save(StateWriter& state) const override;
-  void restore(StateReader& state) override;
+  void restore(InterfaceReader& state) override;
 
  private:
   Participants participants_;

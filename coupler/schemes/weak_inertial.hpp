@@ -21,7 +21,7 @@ class WeakInertial : public Scheme {
   const Effort& effort() const override { return effort_; }
   const AddedMassRatio& ratio() const override { return ratio_; }
   void save(StateWriter& state) const override { ratio_.save(state); }
-  void restore(StateReader& state) override { ratio_.restore(state); }
+  void restore(InterfaceReader& state) override { ratio_.restore(state); }
 
  private:
   Participants participants_;

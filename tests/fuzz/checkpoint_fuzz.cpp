@@ -1,7 +1,9 @@
 // Any bytes as a checkpoint, with a right checksum or without: restored, or rejected with a message.
 #include <zlib.h>
 
+#include <array>
 #include <fstream>
+#include <optional>
 #include <sstream>
 
 #include "common/state_bytes.hpp"
@@ -16,17 +18,34 @@ namespace {
 constexpr std::size_t seal = sizeof(std::uint64_t) + sizeof(std::uint32_t);
 const std::string mark = "cosurge checkpoint, sealed\n";
 
-/// A run of mocks, and its checkpoint's bytes.
+constexpr std::array schemes = {v1::Coupling::weak, v1::Coupling::strong, v1::Coupling::weak_inertial,
+                                v1::Coupling::strong_inertial, v1::Coupling::auto_};
+
+/// A run of mocks with one of the schemes.
 struct Run {
-  testing::Piston piston;
+  explicit Run(std::size_t scheme) : the_case(testing::piston_case()) {
+    the_case.mutable_coupling()->set_scheme(schemes[scheme]);
+    coupler.emplace(the_case, Participants{.fluid = fluid.get(), .solid = solid.get()});
+  }
+
+  /// Some windows, or fewer up to the end.
+  void go_on(int windows) {
+    coupler->run({}, [&] { return --windows < 0; });
+  }
+
+  v1::Case the_case;
+  testing::Piston piston{.tells_mode = true};
   std::unique_ptr<testing::MockFluid> fluid = testing::water_column(piston);
   std::unique_ptr<testing::MockSolid> solid = testing::sprung_piston(piston);
-  Coupler coupler{testing::piston_case(), {.fluid = fluid.get(), .solid = solid.get()}};
+  std::optional<Coupler> coupler;
 };
 
-std::string legal_checkpoint(const std::filesystem::path& folder) {
-  Run run;
-  CheckpointWriter(folder, testing::piston_case(), run.coupler).write();
+/// The checkpoint of a run that has a history of all that its scheme remembers.
+std::string legal_checkpoint(const std::filesystem::path& folder, std::size_t scheme) {
+  constexpr int windows = 25;
+  Run run(scheme);
+  run.go_on(windows);
+  CheckpointWriter(folder, run.the_case, *run.coupler).write();
   std::ostringstream bytes;
   bytes << std::ifstream(folder / Checkpoint::name, std::ios::binary).rdbuf();
   return bytes.str();
@@ -49,26 +68,34 @@ const std::filesystem::path& folder() {
 }  // namespace
 }  // namespace cosurge
 
-/// Part 0 is the content, part 1 the whole file.
+/// Parts: for each scheme the content, and the whole file.
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most,
                                                unsigned seed) {
-  static const std::string file = cosurge::legal_checkpoint(cosurge::folder());
-  static const std::vector<std::string> legal = {file.substr(cosurge::mark.size() + cosurge::seal), file};
+  static const std::vector<std::string> legal = [] {
+    std::vector<std::string> parts;
+    for (std::size_t scheme = 0; scheme < cosurge::schemes.size(); ++scheme) {
+      const std::string file = cosurge::legal_checkpoint(cosurge::folder(), scheme);
+      parts.push_back(file.substr(cosurge::mark.size() + cosurge::seal));
+      parts.push_back(file);
+    }
+    return parts;
+  }();
   return cosurge::testing::legal_or_mutated(legal, data, size, most, seed);
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace cosurge;
-  if (size == 0) return 0;
+  static const bool quiet = std::fclose(stdout) == 0;  // suppress warnings
+  if (size == 0 || !quiet) return 0;
   const std::string bytes(reinterpret_cast<const char*>(data + 1), size - 1);
   std::filesystem::remove(folder() / Checkpoint::name_before);
   std::ofstream(folder() / Checkpoint::name, std::ios::binary) << (data[0] % 2 == 0 ? sealed(bytes) : bytes);
-  std::fclose(stdout);  // suppress warnings
   try {
     const Checkpoint checkpoint = Checkpoint::read(folder());
-    Run run;
-    checkpoint.require_same_programs(run.coupler.members());
-    run.coupler.restore(checkpoint.state);
+    Run run(data[0] / 2 % schemes.size());
+    checkpoint.require_same_programs(run.coupler->members());
+    run.coupler->restore(checkpoint.state);
+    run.go_on(3);
   } catch (const Error&) {
   }
   return 0;

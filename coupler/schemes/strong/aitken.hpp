@@ -28,7 +28,7 @@ class Aitken : public Relaxation {
   void end_window() override { last_.resize(0); }
 
   void save(StateWriter& state) const override { state.put(omega_); }
-  void restore(StateReader& state) override { state.get(omega_); }
+  void restore(InterfaceReader& state) override { state.get(omega_); }
 
  private:
   static constexpr double smallest = 1e-3;  // for a ratio of 1000; with less, an iteration would not move

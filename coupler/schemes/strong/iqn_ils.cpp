@@ -73,16 +73,22 @@ void IqnIls::save(StateWriter& state) const {
   }
 }
 
-void IqnIls::restore(StateReader& state) {
+void IqnIls::restore(InterfaceReader& state) {
   std::vector<int> counts;
   state.get(counts);
+  const bool possible = !counts.empty() && static_cast<int>(counts.size()) <= reuse_ + 1 &&
+                        *std::min_element(counts.begin(), counts.end()) >= 0;
+  require(possible,
+          "saved state: the interface quasi-Newton scheme has columns of {} windows, must have them of 1 to "
+          "{}, and none fewer than 0; it belongs to another case or is damaged",
+          counts.size(), reuse_ + 1);
   counts_.assign(counts.begin(), counts.end());
   changes_.clear();
   for (const int count : counts)
     for (int k = 0; k < count; ++k) {
       Change& change = changes_.emplace_back();
-      get_sized(state, change.residual);
-      get_sized(state, change.output);
+      state.get_column(change.residual);
+      state.get_column(change.output);
     }
 }
 

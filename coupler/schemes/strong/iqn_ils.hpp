@@ -25,7 +25,7 @@ class IqnIls : public Relaxation {
   void end_window() override;
 
   void save(StateWriter& state) const override;
-  void restore(StateReader& state) override;
+  void restore(InterfaceReader& state) override;
 
  private:
   /// Between two iterations.

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <memory>
 
-#include "common/state_bytes.hpp"
+#include "coupler/interface_reader.hpp"
 #include "proto/case.pb.h"
 
 namespace cosurge {
@@ -20,7 +20,7 @@ class Relaxation {
   virtual void end_window() {}
 
   virtual void save(StateWriter&) const {}
-  virtual void restore(StateReader&) {}
+  virtual void restore(InterfaceReader&) {}
 };
 
 std::unique_ptr<Relaxation> make_relaxation(const v1::Iteration& iteration);

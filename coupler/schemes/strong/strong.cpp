@@ -93,7 +93,7 @@ void Strong::save(StateWriter& state) const {
   state.put(has_modes_);
 }
 
-void Strong::restore(StateReader& state) {
+void Strong::restore(InterfaceReader& state) {
   prediction_.restore(state);
   relaxation_->restore(state);
   ratio_.restore(state);

@@ -29,7 +29,7 @@ class Strong : public Scheme {
   const Effort& effort() const override { return effort_; }
   const AddedMassRatio& ratio() const override { return ratio_; }
   void save(StateWriter& state) const override;
-  void restore(StateReader& state) override;
+  void restore(InterfaceReader& state) override;
 
  private:
   /// Once through the window, by both.

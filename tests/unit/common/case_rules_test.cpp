@@ -252,6 +252,12 @@ TEST(CaseRules, PressureProbesNeedWater) {
               HasSubstr("output.probe.0.quantity: needs a fluid"));
 }
 
+TEST(CaseRules, DisplacementProbesBesideABodyAreRefusedWithoutWaterToo) {
+  EXPECT_THAT(errors_of(cantilever, {"output.probe.0.position=[0.1, 0.05]"}),
+              HasSubstr("output.probe.0.position: must lie in or on a body; solid.body.0 is 0.088 m away, at "
+                        "(0.012, 0.05)"));
+}
+
 TEST(CaseRules, ABodyIsThickEnoughThatTheLaplacianDoesNotSeeThroughIt) {
   const CaseText text("max = [0.14, 0.1] }", "max = [0.13, 0.1] }");
   const std::vector<std::string> narrow_clamp = {"solid.body.0.clamp.0.max=[0.13, 0.0]"};

@@ -84,10 +84,10 @@ TEST(WireWords, HaveNoControlCharactersAndAnEnd) {
   EXPECT_EQ(printable("\xc2\x9b"
                       "31m is red to some terminals, \xc2\xb5 is not"),
             "?31m is red to some terminals, \xc2\xb5 is not");
-  EXPECT_NO_THROW(require_name("tip_x", "column"));
+  EXPECT_NO_THROW(require_name("tip_x", "a column"));
   for (const std::string& bad :
        {std::string(), std::string("a/b"), std::string(".."), std::string(101, 'x'), std::string("a\nb")})
-    EXPECT_THROW(require_name(bad, "column"), Error) << bad;
+    EXPECT_THROW(require_name(bad, "a column"), Error) << bad;
 }
 
 TEST(Modes, BeyondAThousandAreRefused) {

@@ -9,12 +9,12 @@
 
 #include <atomic>
 #include <chrono>
-#include <filesystem>
 #include <thread>
 
 #include "common/wire/channel.hpp"
 #include "common/wire/gate.hpp"
 #include "proto/exchange.pb.h"
+#include "tests/support/own_memory.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace cosurge {
@@ -80,13 +80,6 @@ class Stranger {
 std::string curve_greeting() {
   return "\xff" + std::string(8, '\0') + "\x7f\x03" + std::string(1, '\0') + "CURVE" + std::string(15, '\0') +
          std::string(32, '\0');
-}
-
-std::size_t open_files() {
-  std::size_t count = 0;
-  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd"))
-    count += !entry.path().empty();
-  return count;
 }
 
 Channel solver_of(const Channel& coupler) {
@@ -160,7 +153,7 @@ TEST(Strangers, WhoSayNothingNeitherTakeAllFilesNorKeepTheSolverOut) {
   getrlimit(RLIMIT_NOFILE, &files);
   const rlimit few{.rlim_cur = 1024, .rlim_max = files.rlim_max};
   setrlimit(RLIMIT_NOFILE, &few);
-  const std::size_t before = open_files();
+  const std::size_t before = testing::open_files();
   Channel coupler = Channel::listen("tcp://127.0.0.1:*", {.peer = "b", .patience = 60});
   v1::Request received;
   std::thread waits([&] { coupler.receive(received, "a message"); });
@@ -176,7 +169,7 @@ TEST(Strangers, WhoSayNothingNeitherTakeAllFilesNorKeepTheSolverOut) {
   std::this_thread::sleep_for(milliseconds(200));
   EXPECT_GE(connected, Gate::most());
   // Their own ends are in this process, too; some may come while the gate closes.
-  EXPECT_LE(open_files() - before - strangers.size(), Gate::most() + 110);
+  EXPECT_LE(testing::open_files() - before - strangers.size(), Gate::most() + 110);
 
   Channel solver = solver_of(coupler);
   solver.send(words("I am one"));

@@ -1,0 +1,13 @@
+// Faults of a solver that a user asks for, to see what a run does then.
+#pragma once
+
+namespace cosurge {
+
+enum class SolverFault {
+  kill,    ///< its process is killed (SIGKILL)
+  freeze,  ///< its process is stopped (SIGSTOP)
+  delay,   ///< its next message arrives 5 s late
+  corrupt  ///< every bit of its next message is inverted
+};
+
+}  // namespace cosurge
