@@ -1,6 +1,7 @@
 #include "common/wire/parts.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "common/error.hpp"
 
@@ -27,6 +28,16 @@ bool FrameParts::next(v1::Snapshot& message) {
   }
   message.set_more(array_ < frame_.size());
   return !message.more();
+}
+
+void require_part(const ArrivedPart& part, std::uint64_t particles) {
+  constexpr std::uint64_t most_per_particle = 4096, always = std::uint64_t{1} << 28;
+  constexpr std::uint64_t most_particles = std::numeric_limits<std::int32_t>::max();  // their ids
+  require(part.bytes > 0 || !part.more, "it sends an empty part of a {}, and says that more will follow",
+          part.what);
+  const std::uint64_t most = always + most_per_particle * std::min(particles, most_particles);
+  require(part.before + part.bytes <= most, "its {} exceeds {} bytes, the limit for {} particles", part.what,
+          most, particles);
 }
 
 void append(Snapshot&& part, Snapshot& frame) {

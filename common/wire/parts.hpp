@@ -53,6 +53,17 @@ class FrameParts {
   std::size_t value_ = 0;
 };
 
+/// A part that has arrived.
+struct ArrivedPart {
+  const char* what;    ///< "state" or "frame"
+  std::size_t bytes;   ///< of it
+  std::size_t before;  ///< of the parts before it
+  bool more;           ///< whether the sender says that more will follow
+};
+
+/// @throws Error for an empty part before others, and if all of them exceed what so many particles need.
+void require_part(const ArrivedPart& part, std::uint64_t particles);
+
 /// Adds a part of a frame to those before it.
 /// @throws Error where an array goes on with another unit or number of components.
 void append(Snapshot&& part, Snapshot& frame);

@@ -226,7 +226,8 @@ std::string RemoteParticipant::save() {
       exchange(Reply::kSaved);
       v1::Saved& part = *reply_.mutable_saved();
       more = part.more();
-      require_part(more, part.state().size(), state.size(), "state");
+      require_part({.what = "state", .bytes = part.state().size(), .before = state.size(), .more = more},
+                   particles_);
       if (state.empty())
         state = std::move(*part.mutable_state());
       else
@@ -257,25 +258,14 @@ Snapshot RemoteParticipant::frame() {
       request_.mutable_frame();
       const v1::Snapshot& part = exchange(Reply::kSnapshot).snapshot();
       more = part.more();
-      require_part(more, part.ByteSizeLong(), bytes, "frame");
+      require_part({.what = "frame", .bytes = part.ByteSizeLong(), .before = bytes, .more = more},
+                   particles_);
       bytes += part.ByteSizeLong();
       append(decode(part), frame);
       require_few_arrays(static_cast<int>(frame.size()));
     }
     return frame;
   });
-}
-
-/// A state or a frame must end, and not exceed what the solver's particles need.
-void RemoteParticipant::require_part(bool more, std::size_t bytes, std::size_t before,
-                                     const char* what) const {
-  constexpr std::size_t most_per_particle = 4096, least_limit = std::size_t{1} << 28;
-  require(bytes > 0 || !more, "it sends an empty part of a {}, and says that more will follow", what);
-  const std::size_t most = particles_ < std::numeric_limits<std::size_t>::max() / (2 * most_per_particle)
-                               ? least_limit + most_per_particle * particles_
-                               : least_limit;
-  require(before + bytes <= most, "its {} exceeds {} bytes, the limit for {} particles", what, most,
-          particles_);
 }
 
 void RemoteParticipant::finalize() {

@@ -73,7 +73,6 @@ class RemoteParticipant : public virtual Participant {
   template <typename Call>
   auto call(std::string place, Call&& content);
   const v1::Reply& exchange(v1::Reply::ResultCase expected);
-  void require_part(bool more, std::size_t bytes, std::size_t before, const char* what) const;
 
   Channel channel_;
   Identity identity_;

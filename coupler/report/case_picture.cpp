@@ -38,7 +38,8 @@ Json start_of(const v1::Case& the_case, const Participants& participants) {
 
 void require_picture_file(const fs::path& file) {
   require(file.extension() == ".html" || file.extension() == ".png",
-          "--picture {}: the name must end in .png (a picture) or .html (a page for a browser)", file.string());
+          "--picture {}: the name must end in .png (a picture) or .html (a page for a browser)",
+          file.string());
   require(!fs::exists(file), "--picture {}: exists already; choose another name", file.string());
   const fs::path folder = fs::absolute(file).parent_path();
   require(fs::is_directory(folder), "--picture {}: there is no folder {}", file.string(), folder.string());

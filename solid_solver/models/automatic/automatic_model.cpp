@@ -31,13 +31,14 @@ double largest_force(const NodalLoad& load) {
 
 double ratio(double part, double whole) { return whole > 0 ? part / whole : 0; }
 
-/// Difference of the nonlinear from the linear displacement under the same forces, over the latter: the
-/// estimate if that is below the limit, which it exceeds too early.
+/// Difference of the nonlinear from the linear displacement under the same forces, over the latter. While
+/// elements compute, the estimate is enough: it only delays the return to modes.
 template <int dim>
-double nonlinearity(const fem::FemBody<dim>& body, const LinearTheory<dim>& theory, const fem::Vector& u) {
+double nonlinearity(const fem::FemBody<dim>& body, const LinearTheory<dim>& theory, const fem::Vector& u,
+                    bool by_elements) {
   const double largest = largest_of(body, u);
   const double estimate = ratio(largest_of(body, theory.correction(u)), largest);
-  if (estimate <= limit) return estimate;
+  if (estimate <= limit || by_elements) return estimate;
   const std::optional<fem::Vector> nonlinear = theory.nonlinear(u);
   return nonlinear ? ratio(largest_of(body, fem::Vector(*nonlinear - u)), largest) : estimate;
 }
@@ -96,7 +97,8 @@ void AutomaticModel<dim>::measure(const Vectors& displacements, const NodalLoad&
   watch_.nonlinearity = watch_.truncation = 0;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const fem::FemBody<dim>& body = bodies[b];
-    watch_.nonlinearity = std::max(watch_.nonlinearity, nonlinearity(body, theories_[b], displacements[b]));
+    watch_.nonlinearity =
+        std::max(watch_.nonlinearity, nonlinearity(body, theories_[b], displacements[b], fem_.has_value()));
     const fem::Vector force = modal_.bodies().of_body(b, load.last) + body.weight();
     const fem::Vector all = theories_[b].deflection(force);
     double& largest = watch_.deflection[static_cast<Eigen::Index>(b)];

@@ -64,5 +64,15 @@ TEST(FrameParts, AnArrayDoesNotChangeItsUnit) {
                   "array position of a frame goes on with 1 components in \"mm\" instead of 1 in \"m\""));
 }
 
+TEST(Parts, MustEndAndFitTheParticles) {
+  EXPECT_NO_THROW(require_part({.what = "state", .bytes = 0, .before = 0, .more = false}, 0));
+  EXPECT_THAT([] { require_part({.what = "state", .bytes = 0, .before = 5, .more = true}, 10); },
+              ThrowsMessage<Error>("it sends an empty part of a state, and says that more will follow"));
+  const std::size_t most = (std::size_t{1} << 28) + 40960;
+  EXPECT_NO_THROW(require_part({.what = "frame", .bytes = 60, .before = most - 60, .more = false}, 10));
+  EXPECT_THAT([&] { require_part({.what = "frame", .bytes = 61, .before = most - 60, .more = true}, 10); },
+              ThrowsMessage<Error>("its frame exceeds 268476416 bytes, the limit for 10 particles"));
+}
+
 }  // namespace
 }  // namespace cosurge

@@ -7,10 +7,10 @@
 
 #include "common/case/case_file.hpp"
 #include "common/error.hpp"
-#include "coupler/study/plan.hpp"
 #include "coupler/chart/chart_table.hpp"
 #include "coupler/chart/pareto.hpp"
 #include "coupler/chart/truth.hpp"
+#include "coupler/study/plan.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace cosurge::testing {

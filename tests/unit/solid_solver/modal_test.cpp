@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include "solid_solver/models/fem/spectral_radius.hpp"
 #include "solid_solver/models/modal/modal_model.hpp"
 #include "tests/support/loaded_solid.hpp"
 #include "tests/support/structures.hpp"
@@ -113,6 +114,60 @@ TEST(ModalModel, MovesAsTheElementsDoWhereDeflectionIsSmall) {
   RecordProperty("peak", fmt::format("{:.3e} {:.3e}", peak, *std::max_element(modes.begin(), modes.end())));
   for (std::size_t k = 0; k < elements.size(); ++k)
     EXPECT_NEAR(modes[k], elements[k], 0.01 * peak) << "window " << k;
+}
+
+TEST(AmplitudeFactor, IsThatOfAStepOfTheGeneralisedAlphaMethod) {
+  // 400 steps of one unknown with unit mass, by the method itself; the last 200 have no start-up left.
+  for (const double rho : {0.0, 0.3, 0.8, 1.0}) {
+    const fem::AlphaConstants constants(rho);
+    const auto& [alpha_m, alpha_f, beta, gamma] = constants;
+    for (const double angle : {0.05, 0.3, 1.0, 3.0}) {
+      double u = 1, v = 0, a = -angle * angle;  // in steps
+      const auto size = [&] { return std::hypot(angle * u, v); };
+      double largest_before = 0, largest_after = 0;
+      for (int k = 0; k < 400; ++k) {
+        const double known = u + v + (0.5 - beta) * a;
+        const double next = -(alpha_m * a + angle * angle * ((1 - alpha_f) * known + alpha_f * u)) /
+                            (1 - alpha_m + (1 - alpha_f) * angle * angle * beta);
+        u = known + beta * next;
+        v += (1 - gamma) * a + gamma * next;
+        a = next;
+        if (k < 200) largest_before = k >= 100 ? std::max(largest_before, size()) : 0;
+        if (k >= 300) largest_after = std::max(largest_after, size());
+      }
+      const double expected = std::pow(fem::amplitude_factor(constants, angle), 200);
+      if (expected < 1e-200) continue;
+      EXPECT_NEAR(largest_after / largest_before / expected, 1, 0.1) << rho << " " << angle;
+    }
+    EXPECT_NEAR(fem::amplitude_factor(constants, 1e5), rho, 1e-3 + 1e-4 * rho);
+    EXPECT_NEAR(fem::amplitude_factor(constants, 1e-3), 1, 1e-9);
+  }
+}
+
+TEST(ModalModel, OscillationsThatAWindowDoesNotResolveLoseAmplitudeAsInElements) {
+  // A blow on the end of the plate; windows of a fifth of the first period, and of a fiftieth.
+  const auto left = [](v1::SolidModel::Word model, double rho, int windows_per_period) {
+    v1::Case c = test::plate({});
+    c.mutable_solid()->set_model(model);
+    c.mutable_solid()->mutable_modal()->set_modes(1);
+    c.mutable_solid()->mutable_fem()->set_rho_infinity(rho);
+    LoadedSolid run(c, test::left_face(80));
+    const double h = 1 / (5.97 * windows_per_period);
+    run.load.force = Field::Zero(2, 80);
+    run.load.force.row(0).setConstant(0.01 * l0 / h);
+    run.advance(h);
+    run.load.force.setZero();
+    std::vector<double> tip;
+    for (int k = 0; k < 10 * windows_per_period; ++k)
+      tip.push_back(std::abs(run.value(run.advance(h), "tip_x")));
+    const auto period = static_cast<std::ptrdiff_t>(windows_per_period);
+    return *std::max_element(tip.end() - period, tip.end()) /
+           *std::max_element(tip.begin(), tip.begin() + period);
+  };
+  EXPECT_NEAR(left(v1::SolidModel::modal, 1, 5), 1, 0.05);  // five samples of a period
+  EXPECT_NEAR(left(v1::SolidModel::modal, 0.3, 50), 1, 0.02);
+  EXPECT_LT(left(v1::SolidModel::modal, 0.3, 5), 0.15);  // 0.75 in a period
+  EXPECT_NEAR(left(v1::SolidModel::modal, 0.3, 5), left(v1::SolidModel::fem, 0.3, 5), 0.05);
 }
 
 TEST(ModalModel, SaysHowFarItIsFromSmallDeflection) {
