@@ -8,7 +8,7 @@
 namespace cosurge {
 
 bool FrameParts::next(v1::Snapshot& message) {
-  std::size_t room = part_ / sizeof(float);
+  std::size_t room = std::max<std::size_t>(1, part_ / sizeof(float));
   while (array_ < frame_.size() && room > 0) {
     const Array& array = frame_[array_];
     const auto components = static_cast<std::size_t>(array.components);
