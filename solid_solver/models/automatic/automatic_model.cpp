@@ -55,7 +55,6 @@ AutomaticModel<dim>::AutomaticModel(const Structure<dim>& structure, const Autom
   watch_.deflection = watch_.displacement = fem::Vector::Zero(static_cast<Eigen::Index>(bodies.size()));
   if (only_elements_) {
     fem_.emplace(structure_, parameters_.fem);
-    notes_.push_back("a body can move as a whole: the model auto uses fem");
     return;
   }
   for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -67,6 +66,8 @@ AutomaticModel<dim>::AutomaticModel(const Structure<dim>& structure, const Autom
 template <int dim>
 int AutomaticModel<dim>::advance(const Window& window, const NodalLoad& load) {
   ++watch_.windows;
+  if (only_elements_ && window.index == 0 && notes_.empty())
+    notes_.push_back("model auto: fem for the whole run, since a body can move as a whole");
   if (!only_elements_ && fem_) take_modes_if_valid(window, load);
   if (fem_) {
     watch_.quiet += window.size;
@@ -136,8 +137,8 @@ void AutomaticModel<dim>::take_elements(const Window& window, const std::string&
     if (const auto nonlinear = theories_[b].nonlinear(displacements[b])) displacements[b] = *nonlinear;
   fem_->place(displacements, modal_.velocities());
   watch_.quiet = watch_.lacking = 0;
-  tell(window.start,
-       fmt::format("model auto: fem instead of modal from t = {:.6g} s: {}", window.start, reason));
+  notes_.push_back(
+      fmt::format("model auto: fem instead of modal from t = {:.6g} s: {}", window.start, reason));
 }
 
 template <int dim>
@@ -150,10 +151,10 @@ void AutomaticModel<dim>::take_modes_if_valid(const Window& window, const NodalL
   if (!valid) watch_.quiet = 0;
   if (watch_.quiet < period_) return;
   fem_.reset();
-  tell(window.start,
-       fmt::format("model auto: modal instead of fem from t = {:.6g} s: the deflection has been small for "
-                   "a period of {:.3g} s",
-                   window.start, period_));
+  notes_.push_back(
+      fmt::format("model auto: modal instead of fem from t = {:.6g} s: the deflection has been small for "
+                  "a period of {:.3g} s",
+                  window.start, period_));
 }
 
 /// Whether the modes have nearly all of the motion of the elements, whose displacements are u.
@@ -171,13 +172,6 @@ bool AutomaticModel<dim>::loses_little(const Vectors& u) {
   const double energy = elements.kinetic + elements.elastic;
   watch_.energy_before = std::max(watch_.energy_before, energy);
   return little && std::abs(energy - modes.kinetic - modes.elastic) <= lost * watch_.energy_before;
-}
-
-template <int dim>
-void AutomaticModel<dim>::tell(double time, const std::string& note) {
-  if (time == told_) return;
-  told_ = time;
-  notes_.push_back(note);
 }
 
 template <int dim>

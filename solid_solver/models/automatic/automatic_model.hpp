@@ -80,7 +80,6 @@ class AutomaticModel : public SolidModel {
   /// At the start of a window.
   void take_modes_if_valid(const Window& window, const NodalLoad& load);
   bool loses_little(const Vectors& u);
-  void tell(double time, const std::string& note);
 
   Structure<dim> structure_;
   AutomaticParameters parameters_;
@@ -90,7 +89,6 @@ class AutomaticModel : public SolidModel {
   bool only_elements_;                     // a body can move as a whole
   double period_ = 0;                      // longest of all bodies [s]
   Watch watch_;
-  double told_ = -1;  // time of the last note [s]; a window that is repeated says nothing again
   std::vector<std::string> notes_;
 };
 

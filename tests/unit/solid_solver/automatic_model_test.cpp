@@ -178,6 +178,22 @@ TEST(AutomaticModel, FollowsALoadAtANaturalFrequency) {
   EXPECT_LT(difference(tip, reference), 0.03);
 }
 
+TEST(AutomaticModel, SaysInEveryAttemptAtAWindowThatElementsCompute) {
+  const Pressure strong = [](double t, double) { return 400 * pulse(t, 0, 0.08); };
+  LoadedPlate ours(plate(v1::SolidModel::auto_), strong);
+  while (ours.notes.empty()) {
+    const std::string start = ours.solid.solid.save();
+    ours.advance();
+    if (ours.notes.empty()) continue;
+    // A scheme that iterates shows the notes of the last attempt alone.
+    ours.solid.solid.restore(start);
+    const Report again =
+        ours.solid.solid.advance({.index = ours.solid.windows, .start = ours.solid.time - h, .size = h},
+                                 ours.solid.load, ours.solid.motion);
+    EXPECT_EQ(again.notes, ours.notes);
+  }
+}
+
 TEST(AutomaticModel, ABodyThatNothingHoldsIsComputedByElements) {
   const auto falling = [](v1::SolidModel::Word model) {
     v1::Case c = test::plate({.clamped = false, .gravity = {0, -9.81}});
