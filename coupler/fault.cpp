@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <optional>
 
 #include "common/error.hpp"
 #include "coupler/say.hpp"
+#include "coupler/study/words.hpp"
 
 namespace cosurge {
 namespace {
@@ -27,13 +26,6 @@ constexpr std::array<Kind, 4> kinds = {{{"kill", SolverFault::kill, "is killed"}
 
 bool contains(const std::vector<std::string>& list, const std::string& word) {
   return std::find(list.begin(), list.end(), word) != list.end();
-}
-
-std::optional<double> number_of(const std::string& text) {
-  double number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  const bool whole = error == std::errc() && end == text.data() + text.size() && std::isfinite(number);
-  return whole ? std::optional(number) : std::nullopt;
 }
 
 /// One fault. @throws Error

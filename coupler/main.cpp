@@ -6,6 +6,7 @@
 #include "common/wire/wire_words.hpp"
 #include "coupler/command_line/command.hpp"
 #include "coupler/command_line/words.hpp"
+#include "coupler/shell_word.hpp"
 
 namespace {
 

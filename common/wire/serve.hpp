@@ -53,9 +53,9 @@ class Service {
   State state_ = State::greeted;
   std::uint64_t sequence_ = 0;
   std::size_t part_;
-  std::optional<StateParts> state_parts_;  // of a state that is being given out
-  std::optional<FrameParts> frame_parts_;  // of a frame that is being given out
-  std::string arriving_;                   // the parts of a state so far
+  std::optional<StateParts> state_parts_;  // the state that is being sent
+  std::optional<FrameParts> frame_parts_;  // the frame that is being sent
+  std::string arriving_;                   // the parts received so far of a state to restore
   v1::Window remembered_;                  // that may be gone through again; attempt 0: none
 };
 

@@ -8,6 +8,19 @@
 #include "coupler/video/video_command.hpp"
 
 namespace cosurge {
+namespace {
+
+/// What a page shows, and how large it may be.
+void add_page(CLI::App& command, std::vector<std::string>& results, double& megabytes) {
+  command.add_option("results", results, "Folders of results; several are shown together")->required();
+  command
+      .add_option("--size", megabytes,
+                  "Approximate size of the page [MB]: a smaller page has fewer frames or particles")
+      ->check(CLI::Range(0.5, 1000.0))
+      ->capture_default_str();
+}
+
+}  // namespace
 
 Command add_csv(CLI::App& app) {
   const auto options = std::make_shared<CsvOptions>();
@@ -28,16 +41,10 @@ Command add_report(CLI::App& app) {
   const auto options = std::make_shared<ReportOptions>();
   CLI::App* command =
       app.add_subcommand("report", "Write an HTML page with an animation, histories and tables");
-  command->add_option("results", options->results, "Folders of results; several are shown together")
-      ->required();
-  command->add_option("--out", options->out, "The page (default: options->html in the first folder)");
+  add_page(*command, options->results, options->megabytes);
+  command->add_option("--out", options->out, "The page (default: report.html in the first folder)");
   command->add_option("--case", options->case_folder,
                       "Folder with reference/*.csv (default: the case folder named in the results)");
-  command
-      ->add_option("--size", options->megabytes,
-                   "Approximate size of the page [MB]: a smaller page has fewer frames or particles")
-      ->check(CLI::Range(0.5, 1000.0))
-      ->capture_default_str();
   command
       ->add_option("--video", options->video,
                    "Write a video of one run to FILE.mp4 instead of a page; needs ffmpeg")
@@ -55,15 +62,9 @@ Command add_watch(CLI::App& app) {
   const auto options = std::make_shared<WatchOptions>();
   CLI::App* command =
       app.add_subcommand("watch", "Show a running case in a browser on this machine, with the time left");
-  command->add_option("results", options->results, "Folders of results; several are shown together")
-      ->required();
+  add_page(*command, options->results, options->megabytes);
   command->add_option("--port", options->port, "Port on 127.0.0.1 (default: any free port)")
       ->check(CLI::Range(1, 65535));
-  command
-      ->add_option("--size", options->megabytes,
-                   "Approximate size of the page [MB]: a smaller page has fewer frames or particles")
-      ->check(CLI::Range(0.5, 1000.0))
-      ->capture_default_str();
   return {command, [options] { return watch_command(*options); }};
 }
 

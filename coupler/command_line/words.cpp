@@ -27,14 +27,6 @@ std::size_t difference(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-std::string shell_word(const std::string& word) {
-  const bool plain = word.find_first_of(" \t\n\"'`$&|;<>()[]{}*?!#~\\") == std::string::npos && !word.empty();
-  if (plain) return word;
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
-
 std::string unknown_command(const std::vector<std::string>& names, const std::string& word) {
   if (std::find(names.begin(), names.end(), word) != names.end()) return "";
   const auto nearest = std::min_element(names.begin(), names.end(), [&](const auto& a, const auto& b) {

@@ -15,6 +15,7 @@
 #include "coupler/report/packed_histories.hpp"
 #include "coupler/report/reference_curves.hpp"
 #include "coupler/report/run_numbers.hpp"
+#include "coupler/shell_word.hpp"
 
 namespace cosurge {
 namespace {
@@ -22,28 +23,11 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// Words of a command line for a shell.
-std::string quoted(const std::string& word) {
-  const bool plain = word.find_first_not_of(
-                         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
-                         "._-+=/,:@%") == std::string::npos;
-  if (plain && !word.empty()) return word;
-  std::string out(1, '\'');
-  for (const char letter : word) {
-    if (letter == '\'')
-      out.append("'\\''");
-    else
-      out.push_back(letter);
-  }
-  out.push_back('\'');
-  return out;
-}
-
 std::string command_of(const Provenance& provenance) {
   if (provenance.case_file.empty()) return "";
-  std::vector<std::string> words = {"cosurge", "run", quoted(provenance.case_file)};
+  std::vector<std::string> words = {"cosurge", "run", shell_word(provenance.case_file)};
   if (!provenance.overrides.empty()) words.emplace_back("--set");
-  for (const std::string& change : provenance.overrides) words.push_back(quoted(change));
+  for (const std::string& change : provenance.overrides) words.push_back(shell_word(change));
   return fmt::format("{}", fmt::join(words, " "));
 }
 

@@ -190,12 +190,7 @@ std::string AutomaticModel<dim>::save() const {
   StateWriter state;
   state.put(fem_.has_value());
   state.put(active().save());
-  for (const double value : {watch_.nonlinearity, watch_.truncation, watch_.energy, watch_.force,
-                             watch_.quiet, watch_.lacking, watch_.energy_before})
-    state.put(value);
-  state.put(watch_.windows);
-  state.put(watch_.deflection);
-  state.put(watch_.displacement);
+  Watch::each(watch_, [&](const auto& value) { state.put(value); });
   return state.take();
 }
 
@@ -212,12 +207,7 @@ void AutomaticModel<dim>::restore(const std::string& text) {
     fem_->restore(motion);
   else
     modal_.restore(motion);
-  for (double* value : {&watch_.nonlinearity, &watch_.truncation, &watch_.energy, &watch_.force,
-                        &watch_.quiet, &watch_.lacking, &watch_.energy_before})
-    state.get(*value);
-  state.get(watch_.windows);
-  state.get(watch_.deflection);
-  state.get(watch_.displacement);
+  Watch::each(watch_, [&](auto& value) { state.get(value); });
   state.finish();
 }
 

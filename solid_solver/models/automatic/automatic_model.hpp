@@ -68,6 +68,21 @@ class AutomaticModel : public SolidModel {
     double energy_before = 0;       // largest kinetic and elastic energy while elements computed [J]
     fem::Vector deflection = {};    // largest static deflection of each body so far [m]
     fem::Vector displacement = {};  // largest displacement of each body while elements computed [m]
+
+    /// Visits all that a saved state has of it, in its order.
+    template <typename Self, typename Visit>
+    static void each(Self& self, Visit&& visit) {
+      visit(self.nonlinearity);
+      visit(self.truncation);
+      visit(self.energy);
+      visit(self.force);
+      visit(self.quiet);
+      visit(self.lacking);
+      visit(self.energy_before);
+      visit(self.windows);
+      visit(self.deflection);
+      visit(self.displacement);
+    }
   };
 
   const SolidModel& active() const {
