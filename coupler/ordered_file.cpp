@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <limits>
@@ -17,6 +18,20 @@ namespace cosurge {
 namespace {
 
 using Bytes = std::vector<char>;
+
+/// The beginning of a table of chunks (a node of a B-tree of version 1 in the format specification of HDF5):
+/// "TREE", type (1 byte), level (1 byte), number of entries (2 bytes, least first), left and right sibling.
+using TableHead = std::array<char, 24>;
+
+bool is_table(const char* bytes, std::size_t size) {
+  return size >= sizeof(TableHead) && std::string_view(bytes, 4) == "TREE";
+}
+
+int level(const char* table) { return static_cast<unsigned char>(table[5]); }
+
+int entries(const char* table) {
+  return static_cast<unsigned char>(table[6]) + 256 * static_cast<unsigned char>(table[7]);
+}
 
 /// A part of the index that waits for commit().
 struct Block {
@@ -32,7 +47,8 @@ struct Driver {
   haddr_t end_of_file = 0;   // on the disk
   int failure = 0;           // errno
   std::map<haddr_t, Block> waiting;
-  std::set<haddr_t> written;  // where parts of the index lie on the disk
+  std::set<haddr_t> written;           // where parts of the index lie on the disk
+  std::map<haddr_t, TableHead> split;  // heads that split tables get when the file is closed
 };
 
 Driver& of(H5FD_t* base) { return *reinterpret_cast<Driver*>(base); }
@@ -66,6 +82,18 @@ void reach_disk(Driver& driver) {
   if (driver.failure == 0) check(driver, fdatasync(driver.file) == 0 || errno == EINVAL);
 }
 
+void read_disk(Driver& driver, haddr_t address, std::size_t size, char* to) {
+  std::size_t got = 0;
+  while (got < size) {
+    const ssize_t part = pread(driver.file, to + got, size - got, static_cast<off_t>(address + got));
+    if (part < 0 && errno == EINTR) continue;
+    if (part < 0) check(driver, false);
+    if (part <= 0) break;
+    got += static_cast<std::size_t>(part);
+  }
+  std::memset(to + got, 0, size - got);
+}
+
 /// Calls `action(of waiting, in waiting, in range, length)` for what both have.
 template <typename Action>
 void overlaps(Driver& driver, haddr_t address, std::size_t size, Action action) {
@@ -77,14 +105,28 @@ void overlaps(Driver& driver, haddr_t address, std::size_t size, Action action) 
   }
 }
 
+/// HDF5 splits a full table: its last entries move to a new one. A reader that has read the table above
+/// before this commit does not know the new one, so the old one keeps its entries on the disk until the file
+/// is closed. Every lookup finds the right chunk: the new table above leads to the moved entries in the new
+/// table.
+bool keeps_its_entries(Driver& driver, haddr_t address, const Block& block) {
+  if (!driver.written.contains(address) || !is_table(block.bytes.data(), block.bytes.size())) return false;
+  TableHead head, on_disk;
+  std::copy_n(block.bytes.begin(), head.size(), head.begin());
+  read_disk(driver, address, on_disk.size(), on_disk.data());
+  if (level(on_disk.data()) != level(head.data()) || entries(on_disk.data()) <= entries(head.data()))
+    return false;
+  driver.split[address] = head;
+  return true;
+}
+
 /// Place in the order of a commit.
 int rank(const Driver& driver, haddr_t address, const Block& block) {
   constexpr int levels = 256;
   if (!driver.written.contains(address)) return 0;
   if (block.type == H5FD_MEM_SUPER) return 1;
   if (block.type == H5FD_MEM_OHDR) return 3 + levels;
-  const std::string_view text(block.bytes.data(), block.bytes.size());
-  if (text.starts_with("TREE")) return 2 + levels - static_cast<unsigned char>(text[5]);
+  if (is_table(block.bytes.data(), block.bytes.size())) return 2 + levels - level(block.bytes.data());
   return 2;
 }
 
@@ -97,8 +139,9 @@ void commit(Driver& driver) {
   for (const auto& [rank, address] : order) {
     if (rank != last) reach_disk(driver);
     last = rank;
-    const Bytes& bytes = driver.waiting.at(address).bytes;
-    put(driver, address, bytes.data(), bytes.size());
+    const Block& block = driver.waiting.at(address);
+    if (!keeps_its_entries(driver, address, block))
+      put(driver, address, block.bytes.data(), block.bytes.size());
   }
   reach_disk(driver);
   if (driver.failure != 0) return;
@@ -118,6 +161,7 @@ H5FD_t* open_file(const char* name, unsigned flags, hid_t, haddr_t) {
 herr_t close_file(H5FD_t* base) {
   Driver& driver = of(base);
   commit(driver);
+  for (const auto& [address, head] : driver.split) put(driver, address, head.data(), head.size());
   // HDF5 gives back space at the end that it has not used.
   if (driver.failure == 0 && driver.end_of_file > driver.end_of_space)
     check(driver, ftruncate(driver.file, static_cast<off_t>(driver.end_of_space)) == 0);
@@ -164,15 +208,10 @@ herr_t handle(H5FD_t* base, hid_t, void** handle) {
 herr_t read_file(H5FD_t* base, H5FD_mem_t, hid_t, haddr_t address, std::size_t size, void* to) {
   Driver& driver = of(base);
   auto* bytes = static_cast<char*>(to);
-  std::size_t got = 0;
-  while (got < size) {
-    const ssize_t part = pread(driver.file, bytes + got, size - got, static_cast<off_t>(address + got));
-    if (part < 0 && errno == EINTR) continue;
-    if (part < 0) check(driver, false);
-    if (part <= 0) break;
-    got += static_cast<std::size_t>(part);
-  }
-  std::memset(bytes + got, 0, size - got);
+  read_disk(driver, address, size, bytes);
+  for (auto table = driver.split.lower_bound(address);  // HDF5 reads whole tables
+       table != driver.split.end() && table->first + sizeof(TableHead) <= address + size; ++table)
+    std::memcpy(bytes + (table->first - address), table->second.data(), sizeof(TableHead));
   overlaps(driver, address, size, [&](const char* waiting, std::size_t at, std::size_t length) {
     std::memcpy(bytes + at, waiting, length);
   });

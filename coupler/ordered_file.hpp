@@ -5,15 +5,17 @@
 
 namespace cosurge {
 
-/// HDF5 writes its index (tables of chunks, lengths of datasets) in any order; a reader between two of these
-/// process that ends between two of these writes, would see lengths without numbers. This driver keeps
-/// changes of the index in memory until commit(), and then writes
+/// HDF5 writes its index (tables of chunks, lengths of datasets) in any order. A reader between two of these
+/// writes, or any reader after the process was killed between them, would see lengths without numbers. This
+/// driver keeps changes of the index in memory until commit(), and then writes
 ///   1. numbers, and parts of the index that nothing refers to yet,
 ///   2. how far the file reaches,
 ///   3. tables of chunks, those of higher levels first,
 ///   4. headers of datasets, with their lengths,
-/// and each on the disk before the next. A table lies within one page of 4096 bytes, which the system writes
-/// in one go: datasets may have three dimensions. It holds for files that grow: nothing is moved or removed.
+/// and each on the disk before the next. A table of chunks that HDF5 splits keeps the entries that have moved
+/// to the new table until the file is closed: a reader may know only the old one. A table lies within one
+/// page of 4096 bytes, which the system writes in one go: datasets may have three dimensions. It holds for
+/// files that grow: nothing is moved or removed.
 ///
 /// After a write that failed nothing more reaches the file, and HDF5 is told that all went well, since it
 /// cannot close a file otherwise; failure() has the reason.

@@ -1,11 +1,13 @@
-// After every single write of a commit, a reader finds nothing wrong.
+// A reader finds nothing wrong after any single write of a commit, nor if it reads on both sides of a commit.
 #include "coupler/ordered_file.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <fstream>
 #include <functional>
+#include <iterator>
 
 #include "coupler/result_file.hpp"
 #include "tests/support/scratch_folder.hpp"
@@ -117,6 +119,57 @@ TEST(OrderedFile, IsRightAfterEveryWriteOfACommit) {
     EXPECT_EQ(look(path), file.rows());
   }
   EXPECT_GT(looks, 10 * commits);
+}
+
+using Bytes = std::string;
+
+Bytes bytes_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// What a reader sees that reads the headers of the datasets and the tables of chunks above `level` before a
+/// commit, and the lower ones and the numbers after it. It takes the length of the file from after the
+/// commit: with that from before, HDF5 gives an error instead of numbers in new tables.
+Bytes read_on_both_sides(const Bytes& before, const Bytes& after, int level) {
+  constexpr std::size_t keys = 65, children = 64;
+  constexpr std::size_t table = 24 + keys * 24 + children * 8;  // format of HDF5, datasets of one dimension
+  constexpr std::size_t superblock = 96;
+  Bytes seen = after.substr(0, superblock) + before.substr(superblock) + after.substr(before.size());
+  for (std::size_t at = after.find("TREE"); at != Bytes::npos; at = after.find("TREE", at + table)) {
+    const bool of_chunks = after[at + 4] == 1;
+    if (of_chunks && after[at + 5] <= level) seen.replace(at, table, after, at, table);
+  }
+  return seen;
+}
+
+TEST(OrderedFile, IsRightForAReaderThatReadsOnBothSidesOfACommit) {
+  H5::Exception::dontPrint();
+  const testing::ScratchFolder folder;
+  const std::filesystem::path path = folder.path() / "file.h5", hybrid = folder.path() / "hybrid.h5";
+  hsize_t rows = 0;
+  {
+    Growing file(path);
+    for (int k = 0; k < 40 && !HasFailure(); ++k) {  // tables of chunks get three levels
+      const hsize_t seen = file.rows();
+      const Bytes before = bytes_of(path);
+      file.append();
+      file.commit();
+      const Bytes after = bytes_of(path);
+      for (const int level : {0, 1}) {
+        std::ofstream(hybrid, std::ios::binary) << read_on_both_sides(before, after, level);
+        EXPECT_EQ(look(hybrid), seen) << "commit " << k << ", new tables up to level " << level;
+      }
+    }
+    rows = file.rows();
+  }
+  EXPECT_EQ(look(path), rows);
+  const H5::H5File file(path.string(), H5F_ACC_RDONLY);
+  const H5::DataSet dataset = file.openDataSet(name(0));
+  hsize_t chunks = 0;
+  ASSERT_GE(H5Dget_num_chunks(dataset.getId(), dataset.getSpace().getId(), &chunks), 0);
+  EXPECT_EQ(chunks, (rows + rows_a_chunk - 1) / rows_a_chunk)
+      << "a closed file has each chunk in one table only";
 }
 
 }  // namespace
