@@ -39,7 +39,7 @@ Eigen::VectorXd consistent_accelerations(const ModalLoad& load) {
         load.mobility.asDiagonal() * load.on_modes * pushing.asDiagonal() * load.per_acceleration;
     const Eigen::VectorXd step = J.partialPivLu().solve(residual);
     c -= step;
-    if (step.norm() <= 1e-12 * c.norm()) break;  // exact once no point changes between pushing and not
+    if (step.norm() <= 1e-12 * c.norm()) break;  // exact once the same points have p > lowest in two steps
   }
   return c;
 }
@@ -173,7 +173,7 @@ void AddedMass<dim>::couple(const Step& step, std::vector<double>& pressure) {
 
   Eigen::VectorXd c = Eigen::VectorXd::Zero(load.mobility.size());
   for (int k = 0; k < (step.attempt != Attempt::once ? most_answers : 1); ++k) {
-    load.pressure = -load.per_acceleration * c;  // and the pressure that the motion with c has
+    load.pressure = -load.per_acceleration * c;  // `pressure` already includes the motion with c
     for (std::size_t i = 0; i < points.size(); ++i)
       load.pressure[static_cast<Eigen::Index>(i)] += pressure[points[i].unknown];
     const Eigen::VectorXd next = consistent_accelerations(load);

@@ -27,9 +27,11 @@ struct ModalLoad {
 /// is the one of the added mass, positive definite.
 Eigen::VectorXd consistent_accelerations(const ModalLoad& load);
 
-/// Solves for the pressure of the modes with the matrix of the step, each from its last pressure and in every
-/// fourth window, in turn; and once more for the pressure of the motion that the modes get by it. Where the
-/// scheme iterates over the window, until load and motion agree: the pressures of the modes are a little old.
+/// Finds the load that agrees with the response of the structure's modes (docs/method.md, eq. 20). The
+/// pressure of each mode is solved for with the matrix of the step: in every fourth window, in turn, starting
+/// from its last solution. The equation is then solved once more for the motion that the modes get from the
+/// load. In schemes that iterate over the window this is repeated until load and motion agree, because the
+/// pressures of the modes can be up to three windows old.
 template <int dim>
 class AddedMass {
  public:
@@ -85,7 +87,7 @@ class AddedMass {
 
   std::vector<Mode> modes_;
   std::vector<std::vector<double>> last_;  // pressure of each mode by the particles' id
-  int windows_ = 0;                        // coupled so far: whose turn it is
+  int windows_ = 0;  // number of coupled windows; decides which modes are solved for next
   Field velocity_change_;
   double ratio_ = 0;
   int iterations_ = 0;

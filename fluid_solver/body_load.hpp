@@ -21,7 +21,7 @@ class BodyLoad {
   Vec<dim> about_;
   std::vector<Eigen::Index> point_;                      // indices of the body's points in the interface
   std::vector<Vec<dim>> place_;                          // positions of these points in the undeformed body
-  std::vector<std::pair<Eigen::Index, double>> around_;  // points and shares that move `about`
+  std::vector<std::pair<Eigen::Index, double>> around_;  // interface points, weights: displacement of `about`
 };
 
 }  // namespace cosurge::fluid

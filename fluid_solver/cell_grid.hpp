@@ -41,7 +41,7 @@ class CellGrid {
   const CellIndex<dim>& counts() const { return count_; }
   double cell_size() const { return size_; }
 
-  /// Cells to each side that a radius [m] goes over.
+  /// Number of cells on each side of a cell that a radius [m] reaches into.
   int reach(double radius) const { return static_cast<int>(std::ceil(radius * (1 - 1e-9) / size_)); }
 
   /// Calls visit(first, last) for each contiguous range of places in the cells within `reach` cells around

@@ -10,8 +10,8 @@ namespace {
 // In spacings.
 constexpr double closed_gap = 0.25;
 constexpr double open_gap = 0.5;
-// How far a particle may be beside a face's normal and still cover the face: on a lattice that is off by half
-// a spacing along each axis, no particle is farther away.
+// Largest distance of a covering particle from the face's normal: on a lattice that is shifted by half a
+// spacing along each axis, the nearest particle is at most this far from it.
 constexpr double beside = 0.55;
 
 /// How far a particle at `way` from the point is along a face's normal [spacings]; infinity where it does not

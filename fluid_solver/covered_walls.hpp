@@ -13,15 +13,16 @@ struct Cover {
   std::int32_t wall, by;
 };
 
-/// Finds the wall particles that a body touches, and those of the tank that a moving obstacle touches: within
-/// 1.1 spacings. The nearest particle covers each. No water comes to such a wall, and a wall particle that an
-/// inner point of a body or an obstacle covers becomes a dummy. Walls::move undoes it.
+/// Finds the wall particles that a body touches, and the wall particles of the tank that a moving obstacle
+/// touches. Particles touch within 1.1 spacings; the nearest one covers the wall particle. A wall particle
+/// that is covered by an inner point of a body, or by an obstacle, becomes a dummy. Walls::move makes it a
+/// wall particle again.
 template <int dim>
 std::vector<Cover> cover_walls(Particles<dim>& particles, const Neighbors<dim>& neighbors,
                                const Walls<dim>& walls, double spacing);
 
-/// Gives covered wall particles the velocity and normal of their covers: water cannot slide along them,
-/// it meets the body or obstacle there.
+/// Gives covered wall particles the velocity and the normal of the particles that cover them: the water meets
+/// the body or obstacle there, and cannot slide along the wall.
 template <int dim>
 void follow_covers(Particles<dim>& particles, const std::vector<Cover>& covers);
 

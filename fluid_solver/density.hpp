@@ -19,9 +19,9 @@ template <int dim>
 void density_and_free_surface(Particles<dim>& particles, const Neighbors<dim>& neighbors, double n0,
                               const FreeSurfaceCriterion& criterion);
 
-/// The same number density, and as free surface only what can have no pressure: lone drops with at most `few`
-/// neighbours, and points of walls and bodies without water within r_e. For the pressure equation with an
-/// OpenSurface.
+/// Computes the same number density for a pressure equation with an OpenSurface. Only particles that cannot
+/// have a pressure are flagged as free surface: drops with at most `few` neighbours, and points of walls and
+/// bodies without water within r_e.
 /// @return the smooth density, eq. (2b) with this radius, of each particle with a pressure, by place [-]
 template <int dim>
 std::vector<double> density_and_lone_particles(Particles<dim>& particles, const Neighbors<dim>& neighbors);

@@ -10,12 +10,14 @@ namespace {
 constexpr double least_to_grid = 0.75;  // spacings between points of different grids
 constexpr double range = 1.3;           // range of the repulsion [spacings]
 constexpr double stiffness = 0.25;      // share of the overlap of ranges that a sweep removes
-constexpr double at_rest = 0.005;       // spacings: the largest move of a sweep after which there are no more
+constexpr double at_rest = 0.005;       // [spacings]; the sweeps end when no point moves farther than this
 
-/// Spacings between loose points: such that one has a spacing^(dim-1) to itself on a round body.
+/// Least distance of points that are not on a grid [spacings], such that each point of a round body has the
+/// area spacing^(dim-1).
 constexpr double touching(int dim) { return dim == 2 ? 0.97 : 0.9; }
 
-/// Spacings within which no point may be where one is added at last: along a line, gaps of 1.5 are closed.
+/// Least distance of a point that is added at the end [spacings]: gaps of 1.5 spacings along a line get a
+/// point.
 constexpr double closing(int dim) { return dim == 2 ? 0.75 : touching(dim); }
 
 /// The points that may still be added, each with the distances of the two points that are nearest to it.
@@ -33,7 +35,7 @@ class Front {
       queue_.push({nearest_[k][0] + nearest_[k][1], static_cast<std::int32_t>(k)});
   }
 
-  /// Tells the candidates near x that a point is there.
+  /// Updates the two nearest distances of the candidates near x, where a point has been added.
   void place(const Vec<dim>& x) {
     hash_.near(x, [&](std::int32_t k, double distance) {
       auto& [first, second] = nearest_[static_cast<std::size_t>(k)];
@@ -44,7 +46,8 @@ class Front {
     });
   }
 
-  /// The candidate that touches two points most closely and is at least `closest` from all points; -1: none.
+  /// The candidate with the smallest sum of distances from its two nearest points, among those that are at
+  /// least `closest` from all points; -1: none.
   std::int32_t next(double closest) {
     while (!queue_.empty()) {
       const auto [sum, k] = queue_.top();
@@ -103,7 +106,8 @@ void EvenLayer<dim>::fill(const std::vector<Vec<dim>>& candidates) {
   }
 }
 
-/// Loose points, and those of grids that have one near or that lie nearer to another than the grid's pitch.
+/// Indices of the points that may move: those off the grids, and grid points that have such a point near or
+/// lie nearer to another point than the grid's pitch.
 template <int dim>
 std::vector<std::int32_t> EvenLayer<dim>::movable() const {
   std::vector<std::int32_t> movable;

@@ -19,15 +19,16 @@ class EvenLayer {
   /// Adds the points of a grid, except where others are near.
   void add_grid(const std::vector<Vec<dim>>& grid);
 
-  /// Fills the rest of the layer from `candidates`, which lie densely at its depth: each new point touches
-  /// those that are there, as closely as the spacing allows.
+  /// Fills the rest of the layer from `candidates`, which lie densely at its depth: repeatedly adds the
+  /// candidate that is nearest to two points of the layer and not closer to any point than the spacing allows
+  /// (docs/method.md, Walls).
   void fill(const std::vector<Vec<dim>>& candidates);
 
   /// Whether a new point at x would lie too near to others.
   bool occupied(const Vec<dim>& x, double margin) const;
 
-  /// Lets points that lie off a regular grid, and those beside them, move apart along the layer, in at most
-  /// so many sweeps.
+  /// Lets points off the regular grids, and grid points beside them, repel each other along the layer, in at
+  /// most `sweeps` sweeps.
   void spread(int sweeps);
 
   const std::vector<Vec<dim>>& points() const { return points_; }
@@ -41,7 +42,7 @@ class EvenLayer {
   double depth_, spacing_;
   std::vector<Vec<dim>> points_;
   PointHash<dim> hash_;
-  std::size_t regular_ = 0;  // points of grids, the first ones
+  std::size_t regular_ = 0;  // number of grid points; they come first in points_
 };
 
 }  // namespace cosurge::fluid

@@ -164,7 +164,7 @@ void each_of_grid(const Plane& low, const Plane& high,
 
 }  // namespace
 
-/// How far the face reaches at this depth, where other faces cut it or make room for it.
+/// Extent of the face at this depth, where neighbouring faces shorten or lengthen it.
 template <int dim>
 auto FaceGrid<dim>::extent_at(const OutlineDepth<dim>& outline, double depth, double spacing) const
     -> std::optional<Extent> {

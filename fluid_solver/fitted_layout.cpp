@@ -9,9 +9,10 @@
 namespace cosurge::fluid {
 namespace {
 
-constexpr double beside = 1.0;   // spacings farther than the nearest facet, within which no facet is oblique
-constexpr double behind = 0.25;  // spacings between the last layer and the lattice, more than half a spacing
-constexpr double gap = 0.95;  // spacings: a site of the lattice that is farther from all others fills a gap
+constexpr double beside = 1.0;  // spacings farther than the nearest facet, within which no facet is oblique
+constexpr double behind =
+    0.25;                     // [spacings] distance of the last layer from the lattice, beyond half a spacing
+constexpr double gap = 0.95;  // [spacings] a lattice site farther than this from all particles fills a gap
 
 constexpr int wall_sweeps = 40, dummy_sweeps = 10;
 
@@ -112,7 +113,7 @@ class Layout {
     return layer;
   }
 
-  /// Scattered points that lie a little deeper than the layer are moved up to it, where there is room.
+  /// Candidates that lie a little deeper than the layer are moved up to it, where there is room.
   std::vector<Vec<dim>> candidates(const EvenLayer<dim>& layer, double depth) const {
     constexpr int per_cell = dim == 2 ? 256 : 32;
     const double thickness = spacing_ / (dim == 2 ? 16 : 2);

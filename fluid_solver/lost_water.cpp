@@ -50,8 +50,8 @@ std::string LostWater<dim>::side_name(std::size_t side) {
   return fmt::format("{}_{}", "xyz"[side / 2], side % 2 == 0 ? "min" : "max");
 }
 
-/// The side wall, or the floor, that `at`, in the tank's coordinates, is farthest beyond; the top where it is
-/// beyond no other; else the nearest wall.
+/// The side of the tank through which a particle at `at`, in the tank's coordinates, has left: the side wall
+/// or floor that it is farthest beyond, the top if it is beyond no wall, otherwise the nearest wall.
 template <int dim>
 std::size_t LostWater<dim>::side_of(const Vec<dim>& at) const {
   constexpr std::size_t top = sides - 1;

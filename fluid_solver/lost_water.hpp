@@ -22,13 +22,14 @@ class LostWater {
   /// Remembers where the water is, before a step.
   void before_step(const Particles<dim>& particles);
 
-  /// Counts what the step that ended at time `t` [s] has lost, each particle at the side of the tank, which
-  /// moves, where it was before: over or through a side wall, through the floor, or out of the top.
+  /// Counts the particles that the step that ended at time `t` [s] has lost. Each counts at the side of the
+  /// (possibly moving) tank where it was before the step: over or through a side wall, through the floor, or
+  /// out of the top.
   /// @throws NumericalError where more than fluid.most_lost of the water is gone.
   void after_step(const Particles<dim>& particles, double t);
 
-  /// "lost_x_min", ...: particles lost at each side so far. "lost_over_rim": those that were above the top of
-  /// the tank. "water": particles that are left.
+  /// Columns "lost_x_min", ...: particles lost at each side so far; "lost_over_rim": those of them that were
+  /// above the top of the tank; "water": particles that are left.
   static std::vector<Column> columns();
   std::vector<double> values() const;
 
@@ -49,8 +50,8 @@ class LostWater {
   double water_;                      // particles at the start
   std::array<double, sides> lost_{};  // smaller, then larger side of each axis
   double over_rim_ = 0;
-  std::vector<Vec<dim>> place_;  // positions of the particles before the step, by id
-  std::vector<char> here_;       // whether this one is water that was there
+  std::vector<Vec<dim>> place_;  // positions of the water before the step, by id; valid where here_ is true
+  std::vector<char> here_;       // whether the particle with this id was water before the step
 };
 
 }  // namespace cosurge::fluid

@@ -32,7 +32,7 @@ PoissonParameters<dim> poisson_parameters(const Water<dim>& water) {
           .open_surface = water.method.source == Source::time_scale};
 }
 
-/// Default propagation speed: that of long waves, sqrt(g H), where H is the initial height of the water.
+/// Default propagation speed: that of long waves, sqrt(g H), with the initial height H of the water.
 template <int dim>
 double shallow_speed(const std::vector<Vec<dim>>& water, const Vec<dim>& gravity, double spacing) {
   double lowest = std::numeric_limits<double>::max();
@@ -79,8 +79,9 @@ Mps<dim>::Mps(const Water<dim>& water, const std::vector<WetBody<dim>>& bodies)
   move_bodies(at_rest, at_rest);
 }
 
-/// Fills the shapes of water; it gives way to obstacles and bodies, and where a shape is an outline also to
-/// the tank and the shapes before it. (Boxes that overlap are refused when the case is read.)
+/// Fills the regions of water with particles, except sites in obstacles and bodies. A region given as an
+/// outline also leaves out sites outside the tank and in earlier regions; for boxes the case rules exclude
+/// both.
 template <int dim>
 void Mps<dim>::add_water(const std::vector<WetBody<dim>>& bodies) {
   std::vector<BodySites<dim>> sites;
@@ -132,8 +133,9 @@ void Mps<dim>::advance_to_pressure(double start, double dt) {
   diffuse_and_collide(dt);  // u* += dt nu lap u*, collisions and damping at the surface
 }
 
-/// The source `time_scale` has an OpenSurface. The others mend every divergence at once, which makes
-/// particles of a surface with pressure separate: they use P = 0 on flagged particles, as Amaro & Cheng.
+/// Only the source `time_scale` uses an OpenSurface. The other sources correct the whole divergence in one
+/// step, so that particles of a surface with pressure would separate; they set P = 0 on flagged particles, as
+/// Amaro & Cheng.
 template <int dim>
 void Mps<dim>::find_free_surface() {
   if (open_surface()) {
@@ -168,8 +170,8 @@ void Mps<dim>::predict(double start, double dt) {
   }
 }
 
-/// Sorts and lists; particles that have passed through a wall are first moved out of the domain, which
-/// removes them.
+/// Sorts the particles and lists their neighbours. Particles that have passed through a wall are first moved
+/// out of the domain, which removes them.
 template <int dim>
 void Mps<dim>::search_neighbors(double time) {
   clock_.enter(searching);
@@ -183,11 +185,11 @@ void Mps<dim>::search_neighbors(double time) {
   locate_bodies();
   close_covered_faces();
   if (may_cover()) covers_ = cover_walls(particles_, neighbors_, walls_, water_.spacing);
-  if (!open_surface()) covers_.clear();  // eq. (10) has walls at rest there
+  if (!open_surface()) covers_.clear();  // eq. (10) treats covered walls as walls at rest
   follow_covers(particles_, covers_);
 }
 
-/// With flagged surfaces collisions have a restitution; with an open surface they are plastic.
+/// Coefficient of restitution: by default 0 with an open surface and 0.2 with flagged surfaces.
 template <int dim>
 double Mps<dim>::restitution() const {
   return water_.method.collision.restitution.value_or(open_surface() ? 0 : 0.2);
@@ -301,7 +303,7 @@ void Mps<dim>::correct(double dt) {
   }
 }
 
-/// Moves inner particles away from where they crowd, eq. (18); velocities stay.
+/// Moves inner particles towards even spacing, eq. (18); velocities are not changed.
 template <int dim>
 void Mps<dim>::shift(double dt) {
   double fastest = 0;

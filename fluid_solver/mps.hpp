@@ -46,10 +46,11 @@ class Mps {
   /// Gives the bodies' points another velocity where they are [m/s].
   void set_body_velocity(const Field& velocity);
 
-  /// How the bodies answer loads in the next step; it then makes the load that agrees with the answer.
+  /// Modes of the structure that respond to the load of the next step (AddedMass).
   void set_modes(const std::vector<Mode>& modes) { added_mass_.set_modes(modes); }
 
-  /// Angular frequency [rad/s] up to which the water's pressure shall follow the bodies' oscillation.
+  /// Sets the angular frequency [rad/s] of the structure's slowest oscillation, which determines k_b of eq.
+  /// (6d).
   void set_frequency(double frequency) { frequency_ = frequency; }
 
   const AddedMass<dim>& added_mass() const { return added_mass_; }
@@ -58,18 +59,19 @@ class Mps {
   /// [Pa].
   void load(InterfaceLoad& load) const;
 
-  /// What the pressure changes by on the way from the centre of a wet particle to its face at rest [Pa/m]:
-  /// rho g, but nothing with flags, where the surface lies half a spacing too low and makes up for it.
+  /// Pressure gradient between the centre of a wet particle and its face at rest [Pa/m]: rho g, eq. (15).
+  /// Zero with flagged free surfaces: there the computed surface lies half a spacing too low, which has the
+  /// opposite effect.
   Vec<dim> slope_to_faces() const;
 
-  /// Share of that change for a particle of a wall or body with the pressure p [Pa]: it grows wet as p
-  /// reaches the pressure of half a spacing of water, eq. (15).
+  /// theta of eq. (15) for a particle of a wall or body with the pressure p [Pa]: from 0 at p = 0 to 1 at the
+  /// pressure of half a spacing of water.
   double wetness(double p) const;
 
   const Walls<dim>& walls() const { return walls_; }
   const Bodies<dim>& bodies() const { return bodies_; }
   const Particles<dim>& particles() const { return particles_; }
-  /// Longest first step [s]: eq. (17) for water at rest, and for walls that move at once.
+  /// Longest first step [s]: eq. (17) for water at rest and walls that move from the start.
   double first_window(double longest) const;
 
   int initial_size() const { return initial_size_; }
@@ -99,7 +101,7 @@ class Mps {
   void find_driven_speed(double end, double dt);
   void set_source(double dt);
   void assemble(double dt);
-  /// Whether missing neighbours count as air, and not flags: see pressure/open_surface.hpp.
+  /// Whether missing neighbours count as air (pressure/open_surface.hpp) instead of flags on particles.
   bool open_surface() const { return water_.method.source == Source::time_scale; }
   /// Whether anything can cover a wall.
   bool may_cover() const { return bodies_.points() > 0 || walls_.moves(); }
@@ -111,8 +113,8 @@ class Mps {
   void set_source_per_divergence(double dt);
   Field body_change() const;
   void add_source_of_bodies(double dt);
-  /// The least change of the source per divergence of a change of the bodies' velocity, eq. (6d) [kg/(m3 s)];
-  /// 0 if the source mends every divergence at one rate.
+  /// rho k_b of eq. (6d), the least change of the source per divergence of a change of the bodies' velocity
+  /// [kg/(m3 s)]; 0 without an open surface.
   double least_per_change(double dt) const;
   BodiesInWater<dim> bodies_in_water() const {
     return {particles_, neighbors_, reference_, poisson_, seen_, covers_, body_place_};
@@ -128,7 +130,7 @@ class Mps {
   double longest_step(double speed, double driven) const;
   void check_bounds(int water, int which, double fastest, double end) const;
 
-  static constexpr double answers_to_walls = 15;  // of the source while a wall moves by a spacing, eq. (6c)
+  static constexpr double answers_to_walls = 15;  // eq. (6c): k_u over V / l0
 
   Water<dim> water_;
   ReferenceValues reference_;  // for the small radius
@@ -147,20 +149,20 @@ class Mps {
   double propagation_speed_ = 0;  // c of the source `time_scale` [m/s]
   double speed_bound_ = 0;        // [m/s]
   double max_body_speed_ = 0;
-  double driven_speed_ = 0;  // at which obstacles and bodies are driven into the water [m/s]
+  double driven_speed_ = 0;  // V of eq. (6c): speed of obstacles and bodies towards the water [m/s]
   double frequency_ = 0;     // of the structure's oscillation [rad/s]
   int first_body_id_ = 0;
-  Faces<dim> faces_;                           // deformed faces of the bodies, by point
-  std::vector<Vec<dim>> face_load_;            // load in addition to -P A on the bodies' points [N]
-  std::vector<std::int32_t> body_place_;       // particle index for each body point
-  std::vector<int> seen_;                      // the point whose velocity the water sees in each body point
-  std::vector<Cover> covers_;                  // covered walls, by place
-  std::vector<Vec<dim>> areas_;                // A by place, for the pressure equation
-  std::vector<double> smooth_density_;         // with the small radius and an open surface, by place [-]
-  std::vector<Vec<dim>> change_;               // velocity change since the prediction, by place
-  std::vector<Vec<dim>> push_;                 // velocity change by the pressure, by place
-  std::vector<double> source_;                 // source of the pressure equation, by place
-  std::vector<double> source_per_divergence_;  // by place [kg/(m3 s)]
+  Faces<dim> faces_;                      // deformed faces of the bodies, by point
+  std::vector<Vec<dim>> face_load_;       // load in addition to -P A on the bodies' points [N]
+  std::vector<std::int32_t> body_place_;  // particle index for each body point
+  std::vector<int> seen_;                 // index of the point whose velocity a body point has for the water
+  std::vector<Cover> covers_;             // covered walls, by place
+  std::vector<Vec<dim>> areas_;           // A by place, for the pressure equation
+  std::vector<double> smooth_density_;    // with the small radius and an open surface, by place [-]
+  std::vector<Vec<dim>> change_;          // velocity change since the prediction, by place
+  std::vector<Vec<dim>> push_;            // velocity change by the pressure, by place
+  std::vector<double> source_;            // source of the pressure equation, by place
+  std::vector<double> source_per_divergence_;  // change of the source per divergence, by place [kg/(m3 s)]
   Field last_body_velocity_;                   // velocity of the body points in the last window [m/s]
   std::vector<double> pressure_;               // pressure of the unknowns
   std::vector<Vec<dim>> predicted_x_;          // predicted positions of a step that may be repeated, by place

@@ -28,8 +28,8 @@ void Mps<dim>::set_body_velocity(const Field& velocity) {
   follow_covers(particles_, covers_);
 }
 
-/// The velocity of the bodies that the pressure was solved for: the predicted one and the answer of the
-/// modes.
+/// Gives the bodies' points the velocity that the pressure was solved for: the predicted velocity plus the
+/// response of the modes.
 template <int dim>
 void Mps<dim>::add_answer_of_modes() {
   const Field& change = added_mass_.velocity_change();
@@ -63,9 +63,10 @@ double Mps<dim>::wetness(double p) const {
   return full > 0 ? std::clamp(p / full, 0.0, 1.0) : 0;
 }
 
-/// The pressure that is solved for belongs to the centres of the points, half a spacing inside the faces. On
-/// the way to a face at rest it changes by rho g . n l0 / 2, eq. (15); on the way to one that accelerates it
-/// does not: the source of the outermost points has half of what the Neumann condition asks for.
+/// Sets the second term of eq. (15). The computed pressure belongs to the centre of a point, half a spacing
+/// inside its face. Between the centre and a face at rest it changes by rho g . n l0 / 2. For an accelerating
+/// face nothing is added: the source of the outermost points contains half of the jump of the Neumann
+/// condition.
 template <int dim>
 void Mps<dim>::set_face_load() {
   const Vec<dim> change = 0.5 * water_.spacing * slope_to_faces();
@@ -76,7 +77,7 @@ void Mps<dim>::set_face_load() {
   }
 }
 
-/// Points that a wall or another body covers are inner ones as long as it does.
+/// Treats points that a wall or another body covers as inner points in this step.
 template <int dim>
 void Mps<dim>::close_covered_faces() {
   if (faces_.area.empty()) return;

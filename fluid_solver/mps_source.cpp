@@ -22,7 +22,7 @@ void Mps<dim>::set_source_per_divergence(double dt) {
     case Source::time_scale:
       source_per_divergence_.assign(size, rho * rates(dt).divergence);
   }
-  constexpr double answers = 2;  // while two particles come nearer to each other by a spacing
+  constexpr double answers = 2;  // term 2 a_i of eq. (6c): corrections per spacing
   const double most = 1 / dt;
   const Vec<dim> kick = dt * water_.gravity;
   const auto& unknowns = poisson_.unknowns();
@@ -39,7 +39,7 @@ double Mps<dim>::least_per_change(double dt) const {
   return open_surface() ? water_.density * rates(dt).bodies : 0;
 }
 
-/// What the bodies' velocity has changed by since the last window, dimension x points [m/s].
+/// Change of the velocity of the bodies' points since the last window, dimension x points [m/s].
 template <int dim>
 Field Mps<dim>::body_change() const {
   Field change = -last_body_velocity_;
@@ -47,7 +47,7 @@ Field Mps<dim>::body_change() const {
   return change;
 }
 
-/// Adds what the source has beyond eq. (6c) for the bodies' change of velocity, eq. (6d).
+/// Adds eq. (6d) to the source of eq. (6c).
 template <int dim>
 void Mps<dim>::add_source_of_bodies(double dt) {
   const std::vector<double> divergence = body_divergence(bodies_in_water(), body_change());
@@ -104,11 +104,12 @@ double Mps<dim>::near_deviation(int i) const {
   return particles_.n[i] / reference_.n0 - 1;
 }
 
-/// Disorder raises the number density of the small radius by 4 to 6 %, and water that is kept to it swells by
-/// as much; the smooth density is off by less than 0.2 %, and by eq. (2c) by a third of that. The small
-/// radius serves beside the free surface, where the smooth density of the large one is not known; beside an
-/// open surface a lack of neighbours is not thin water. Only water counts: a wall cannot move to mend its own
-/// deviation, and would keep a pressure for it.
+/// Deviation of the density without the bias by disorder (docs/method.md, "Which density"). Disorder raises
+/// the number density of the small radius by 4 to 6 %, so that water kept at n0 would expand by as much. The
+/// smooth density deviates by less than 0.2 %, and with eq. (2c) by a third of that. Beside the free surface
+/// the smooth density of the large radius is not known and that of the small radius is used; beside an open
+/// surface only its positive deviations count, because missing neighbours do not mean a low density. Walls
+/// and bodies have no deviation: they cannot move to correct it.
 template <int dim>
 double Mps<dim>::unbiased_deviation(int i, double smooth) const {
   if (particles_.kind[i] != Kind::fluid) return 0;
@@ -123,13 +124,12 @@ double Mps<dim>::unbiased_deviation(int i, double smooth) const {
   return (smooth - disorder * near) / (1 - disorder);
 }
 
-/// Rates of the scene for the source `time_scale`, eq. (6c). Water that falls and runs under gravity answers
-/// at its own wave speed: a spacing takes l0 / c. An obstacle that is driven into water at V asks for an
-/// answer while it moves by a fifteenth of a spacing, and a structure within a twentieth of a radian of its
-/// oscillation.
+/// Rates of the scene for the source `time_scale`, eq. (6c) and (6d): c / l0 for water that flows under
+/// gravity, 15 V / l0 for an obstacle or body driven into the water at V, and 20 omega for a structure that
+/// oscillates at omega.
 template <int dim>
 Rates Mps<dim>::rates(double dt) const {
-  constexpr double answers_to_bodies = 20;  // in a radian of the structure's oscillation
+  constexpr double answers_to_bodies = 20;  // corrections per radian of the structure's oscillation, eq. (6d)
   const double c = propagation_speed_ / water_.spacing;
   const double driven = driven_speed_ / water_.spacing;
   const double k = std::min(std::max(c, answers_to_walls * driven), 1 / dt);
@@ -138,15 +138,15 @@ Rates Mps<dim>::rates(double dt) const {
           .bodies = std::max(k, std::min(answers_to_bodies * frequency_, 1 / dt))};
 }
 
-/// The speed that decides the rate while walls and bodies are driven into the water.
+/// Finds V of eq. (6c): the largest speed at which walls and bodies are driven into the water.
 template <int dim>
 void Mps<dim>::find_driven_speed(double end, double dt) {
   const DrivenBodies<dim> driven{.bodies = bodies_, .normal = faces_.normal, .place = body_place_};
   driven_speed_ = std::max(walls_.approach(), closing_speed(driven, particles_, neighbors_, walls_, end, dt));
 }
 
-/// tau of eq. (11) [s]. In equilibrium alpha rho P / tau^2 balances rho k_n^2 (n - n0) / n0: with tau = 1 /
-/// k_n the water is as compressible as alpha says.
+/// tau of eq. (11) [s]. In equilibrium alpha rho P / tau^2 = rho k_n^2 (n - n0) / n0, so that tau = 1 / k_n
+/// gives the compressibility alpha.
 template <int dim>
 double Mps<dim>::response_time(double dt) const {
   return open_surface() ? 1 / rates(dt).density : dt;

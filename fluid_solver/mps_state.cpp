@@ -7,7 +7,7 @@
 
 namespace cosurge::fluid {
 
-/// Visits all that a state has besides the added mass, in its order.
+/// Visits everything that a saved state contains, except the added mass, in the order of the state.
 template <int dim>
 template <typename Self, typename Visit>
 void Mps<dim>::each_field(Self& self, Visit&& visit) {
@@ -40,10 +40,10 @@ void Mps<dim>::restore(const std::string& bytes) {
   state.finish();
   check_state();
   locate_bodies();
-  covers_.clear();  // the next step begins with finding them
+  covers_.clear();  // found again at the beginning of the next step
 }
 
-/// All else relies on lengths and ids. @throws Error
+/// Checks the lengths and ids of a restored state, on which all other code relies. @throws Error
 template <int dim>
 void Mps<dim>::check_state() const {
   const Particles<dim>& all = particles_;

@@ -14,7 +14,8 @@ constexpr double free_flight =
 
 }  // namespace
 
-/// Water is there, and no particle is faster than anything physical; `which` is the fastest.
+/// Checks that water is left and that the fastest particle, `which`, does not exceed the physical limit of
+/// the speed. @throws NumericalError
 template <int dim>
 void Mps<dim>::check_bounds(int water, int which, double fastest, double end) const {
   if (water == 0)
@@ -29,7 +30,7 @@ void Mps<dim>::check_bounds(int water, int which, double fastest, double end) co
                     particles_.id[which], fmt::join(particles_.x[which], ", "), fastest, end, speed_bound_));
 }
 
-/// Speeds, and the next step that they allow.
+/// Finds the largest speeds and the next step that they allow.
 template <int dim>
 StepReport Mps<dim>::survey(double end, double dt) {
   double fastest = 0;  // largest speed [m/s]
@@ -52,8 +53,8 @@ StepReport Mps<dim>::survey(double end, double dt) {
           .max_window = std::min(flight, longest_step(fastest_bound, std::max(driven_speed_, wall_speed)))};
 }
 
-/// Eq. (17) but for free flight, for water, walls and bodies of at most `speed`, and for walls and
-/// bodies that are driven into the water at most at `driven` [m/s].
+/// Limits of eq. (17) [s] except the second one, for water, walls and bodies with speeds up to `speed`, and
+/// walls and bodies that are driven into the water at speeds up to `driven` [m/s].
 template <int dim>
 double Mps<dim>::longest_step(double speed, double driven) const {
   const double spacing = water_.spacing;
@@ -64,7 +65,8 @@ double Mps<dim>::longest_step(double speed, double driven) const {
   const double advective = courant * spacing / std::max(speed, 1e-12);
   const double longest = std::min({advective, viscous, courant * gravity});
   if (!open_surface()) return longest;
-  // The density is corrected at the rate c / l0: water at rest boils where a window corrects all of it.
+  // The density is corrected at the rate c / l0. Water at rest becomes unstable if a window corrects all of
+  // it.
   constexpr double share = 0.5;
   return std::min(longest, share * spacing / propagation_speed_);
 }
@@ -72,7 +74,7 @@ double Mps<dim>::longest_step(double speed, double driven) const {
 template <int dim>
 double Mps<dim>::first_window(double longest) const {
   double window = std::min(longest, longest_step(max_body_speed_, 0));
-  // Halved until it fits the wall speeds in it: walls may be faster in a short window than in a long one.
+  // Halved until it fits the speeds of the walls within it: their mean over a short window may be larger.
   const auto allowed = [&](double speed) { return longest_step(speed, speed); };
   while (window > allowed(walls_.speed_between(0, window))) window /= 2;
   return window;

@@ -12,9 +12,9 @@ namespace cosurge::fluid {
 template <int dim>
 Vec<dim> gradient_p_min(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i, double n0);
 
-/// Pressure gradient of particle i, eq. (9b): (d / n0) sum of (P_j + P_i) x_ij / r^2 w. Equal and opposite
-/// within every pair, so that momentum is conserved, and pressure evens out the particles as it should.
-/// Dummies and inner points of bodies represent P_j = P_i + rho g . x_ij; `rho_g` [N/m3]; not below
+/// Pressure gradient of particle i, eq. (9b): (d / n0) sum of (P_j + P_i) x_ij / r^2 w. It is equal and
+/// opposite within every pair, so that momentum is conserved, and it pushes particles towards even spacing.
+/// Dummies and inner points of bodies represent P_j = max(lowest, P_i + rho g . x_ij); `rho_g` [N/m3],
 /// `lowest` [Pa].
 template <int dim>
 Vec<dim> gradient_conserving(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i,
@@ -29,8 +29,8 @@ struct CorrectedGradient {
   Vec<dim> gradient;
 
   /// (d / n0) (P_i - P_min) sum of x_ij / r^2 w over all neighbours, P_min the smallest pressure of i and its
-  /// neighbours. Zero where particles lie evenly; elsewhere it parts those that crowd, which the corrected
-  /// gradient does not.
+  /// neighbours. Zero where particles are evenly spaced; elsewhere it separates crowded particles, which the
+  /// corrected gradient alone does not.
   Vec<dim> repulsion;
 };
 
@@ -44,18 +44,18 @@ CorrectedGradient<dim> gradient_corrected(const Particles<dim>& particles, const
 template <int dim>
 Vec<dim> even_out(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i, double n0);
 
-/// Largest speed [m/s] at which particle i and a neighbour come nearer to each other, at least 0. Pairs
-/// without water do not count; of a pair with a point of a wall or body, only what is across its face does.
-/// `kick` [m/s] is added to the velocity of walls and bodies.
+/// Largest approach speed [m/s] of particle i and a neighbour, at least 0. Pairs without water do not count;
+/// for a point of a wall or body only the component normal to its face counts. `kick` [m/s] is added to the
+/// velocity of walls and bodies.
 template <int dim>
 double approach_speed(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i,
                       const Vec<dim>& kick);
 
 /// Velocity divergence at particle i, eq. (10): (d / n0) sum of (u_j - u_i) . x_ij / r^2 w over all
-/// neighbours, but for two points of bodies: a structure that is compressed does not compress water, and a
-/// pressure for it would compress it further. `velocity` [m/s] is that of each particle; `kick` [m/s] is
-/// added to the velocity of walls and bodies. For the source `mixed`, where its free surface or a body is
-/// near; `time_scale` has (10b) everywhere.
+/// neighbours. Pairs of points of bodies are left out: a pressure in response to the compression of a
+/// structure would compress it further. `velocity` [m/s] is that of each particle; `kick` [m/s] is added to
+/// the velocity of walls and bodies. The source `mixed` uses it near its free surface and bodies;
+/// `time_scale` uses (10b) everywhere.
 template <int dim>
 double near_divergence(const Particles<dim>& particles, const std::vector<Vec<dim>>& velocity,
                        const Neighbors<dim>& neighbors, int i, double n0, const Vec<dim>& kick);

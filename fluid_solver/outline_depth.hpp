@@ -23,19 +23,19 @@ class OutlineDepth {
 
   Depth<dim> at(const Vec<dim>& x) const;
 
-  /// The nearest point at this depth that lies on the straight line from x to the outline; x moves on by a
-  /// few such steps where another facet comes nearer. None where there is no such point: the body is too
-  /// thin.
+  /// The nearest point at this depth on the straight line from x to the outline. If another facet comes
+  /// nearer on the way, the search continues from there, for a few steps. Nothing if the body is too thin for
+  /// such a point.
   std::optional<Vec<dim>> at_depth(const Vec<dim>& x, double depth) const;
 
-  /// Whether the depth of x is `depth`, to a share of a spacing that no flow resolves.
+  /// Whether the depth of x equals `depth` [m] up to 2e-3 spacings.
   bool is_at_depth(const Vec<dim>& x, double depth) const;
 
   /// Wetted facets that do not lie on faces of lattice cells.
   const std::vector<Facet<dim>>& oblique() const { return oblique_; }
 
-  /// Whether all wetted facets as near to x as the nearest one and `margin` more lie on faces of lattice
-  /// cells.
+  /// Whether all wetted facets whose distance from x exceeds the least one by at most `margin` lie on faces
+  /// of lattice cells.
   bool on_lattice(const Vec<dim>& x, double margin) const;
 
  private:

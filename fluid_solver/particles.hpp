@@ -29,8 +29,8 @@ struct Particles {
   std::vector<Vec<dim>> u;  ///< velocity [m/s]
   std::vector<double> p;    ///< pressure [Pa]
   std::vector<double> n;    ///< number density [-], for particles with pressure
-  /// Unit normal of the face of a wall or body that the particle belongs to, towards the water; zero where
-  /// the normal is unknown, and for water.
+  /// Unit normal of the face of a wall or body, towards the water, for the particle that the face belongs to;
+  /// zero where it is unknown, and for water.
   std::vector<Vec<dim>> normal;
   std::vector<Kind> kind;
   std::vector<std::int32_t> id;  ///< place in the initial order, for ever
@@ -49,7 +49,7 @@ struct Particles {
     free_surface.push_back(0);
   }
 
-  /// Puts particle order[k] in place k; particles that are not in `order` are gone.
+  /// Moves particle order[k] to place k; particles that are not in `order` are removed.
   void reorder(const std::vector<std::int32_t>& order) {
     pick(x, order);
     pick(u, order);

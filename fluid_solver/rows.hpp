@@ -10,19 +10,19 @@
 
 namespace cosurge::fluid {
 
-/// Most entries that one row may have, and candidates that it may look at.
+/// Largest number of entries of a row, and of candidates for it.
 constexpr int most_entries(int dim) { return dim == 2 ? 4096 : 32768; }
 
-/// The row structure of neighbour lists and sparse matrices. Rows of a chunk lie one behind the other; each
-/// chunk has a stretch of its own, so that chunks are filled independently and the result does not depend on
-/// the threads.
+/// The row structure of neighbour lists and sparse matrices. The rows of a chunk are contiguous, and each
+/// chunk has its own range of entries, so that chunks are filled independently and the result does not depend
+/// on the number of threads.
 class Rows {
  public:
   static constexpr int chunk = 256;
 
-  /// Fills all rows: fill(row, place) writes the entries of `row` from `place` on and returns how many there
-  /// are. `prepare(capacity)` makes room for so many entries. A row may touch `most` entries; `expected` are
-  /// there on average, and where a chunk does not hold its rows everything is filled again with more room.
+  /// Fills all rows: fill(row, place) writes the entries of `row` from `place` on and returns their number.
+  /// `prepare(capacity)` allocates that many entries. A row may write up to `most` entries; `expected` is the
+  /// average. If a chunk is too short for its rows, all rows are filled again with more room.
   template <typename Prepare, typename Fill>
   void fill(int rows, int expected, int most, Prepare&& prepare, Fill&& fill_row) {
     const int chunks = (rows + chunk - 1) / chunk;
@@ -59,9 +59,10 @@ class Rows {
 
  private:
   int rows_ = 0;
-  std::vector<std::int32_t> offset_;  // offset of each row in its chunk's stretch, and the end of each chunk
-  std::int64_t stretch_ = 0;          // entries a chunk has room for
-  int share_ = 0;                     // entries a row has room for on average
+  std::vector<std::int32_t>
+      offset_;                // offset of each row in the range of its chunk, and the end of each chunk
+  std::int64_t stretch_ = 0;  // entries allocated for a chunk
+  int share_ = 0;             // average number of entries allocated for a row
 };
 
 }  // namespace cosurge::fluid

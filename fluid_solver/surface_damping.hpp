@@ -14,20 +14,20 @@ struct SurfaceDamping {
                  ///< 0.3
 };
 
-/// Eq. (7b): beside the surface, for a step `dt` [s] at the propagation speed c [m/s]: a relative velocity
-/// decays at half of c / l0, on lattice neighbours all around.
+/// Factor epsilon of eq. (7b) for a step `dt` [s] at the propagation speed c [m/s]: the relative velocity of
+/// particles at the surface decays at the rate c / (2 l0).
 inline SurfaceDamping surface_damping(double n0, double c, double spacing, double dt) {
   constexpr double thin = 0.8;    // limit as a share of n0; the outer layer of the lattice has 0.68
   constexpr double rate = 0.5;    // rate as a multiple of c / l0
-  constexpr double stable = 0.3;  // explicit diffusion
+  constexpr double stable = 0.3;  // limit of epsilon, for the stability of explicit diffusion
   return {.thin = thin * n0, .share = std::min(stable, rate * dt * c / spacing)};
 }
 
-/// Velocity change of water particle i, eq. (7b): share / n0 sum of w ((u_j - u_i) . x_ij) x_ij / r^2 over
-/// the pairs of water of which one is near the surface. Pairs exchange equal and opposite impulses along the
-/// line between them: momentum and angular momentum stay, rigid rotation is not damped, and energy only
-/// falls. Particles without a full neighbourhood have errors of the pressure gradient that make a surface
-/// froth.
+/// Velocity change of water particle i, eq. (7b): epsilon / n0 sum of w ((u_j - u_i) . x_ij) x_ij / r^2 over
+/// pairs of water particles of which one is near the surface. Pairs exchange equal and opposite impulses
+/// along the line between them: momentum and angular momentum are conserved, rigid rotation is not damped,
+/// and kinetic energy only decreases. It suppresses the motion that errors of the pressure gradient cause
+/// where neighbourhoods are incomplete.
 template <int dim>
 Vec<dim> damp_surface(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i, double n0,
                       const SurfaceDamping& damping) {

@@ -10,9 +10,9 @@
 
 namespace cosurge::fluid {
 
-/// Sums the pressure over the face, in pieces of half a spacing. The pressure on a piece is taken from the
-/// wall particles behind it and moved to the face as eq. (15) does for bodies. Pieces in another wall, or
-/// that a body touches, count as dry.
+/// Sums the pressure over the face, in pieces of half a spacing. The pressure on a piece is interpolated from
+/// the wall particles behind it and extrapolated to the face as in eq. (15). Pieces inside another wall, or
+/// touched by a body, count as dry.
 template <int dim>
 class WallLoad {
  public:
@@ -25,7 +25,7 @@ class WallLoad {
 
  private:
   struct Piece : FacePiece<dim> {
-    std::vector<std::pair<std::int32_t, double>> behind;  // ids and shares of the wall's particles
+    std::vector<std::pair<std::int32_t, double>> behind;  // ids and weights of the wall particles behind it
   };
 
   double pressure(const Mps<dim>& mps, const std::vector<std::int32_t>& place, const Piece& piece,

@@ -43,8 +43,8 @@ Walls<dim>::Walls(const Water<dim>& water, int dummy_layers, bool slip)
   for (Part& part : parts_) std::fill(part.normal.begin(), part.normal.end(), Vec<dim>::Zero());
 }
 
-/// Whether the tank's walls or an obstacle before have the site, or no water ever comes near it: one place,
-/// one particle.
+/// Whether a site is already occupied by the tank's walls or an earlier obstacle, or lies so deep in the
+/// walls that it needs no particle.
 template <int dim>
 bool Walls<dim>::taken(const Vec<dim>& x, bool moves) const {
   if (covers(x)) return true;
@@ -80,7 +80,8 @@ auto Walls<dim>::tank_part() const -> Part {
 
 template <int dim>
 auto Walls<dim>::obstacle_part(const Obstacle<dim>& obstacle) const -> Part {
-  constexpr double nearest = 0.7;  // spacings to particles of the tank and of obstacles before
+  constexpr double nearest =
+      0.7;  // [spacings] least distance from particles of the tank and of earlier obstacles
   const Shape<dim>& shape = obstacle.shape;
   Part part{
       .place = {}, .normal = {}, .kind = {}, .motion = obstacle.motion, .with_tank = obstacle.with_tank};
@@ -97,7 +98,7 @@ auto Walls<dim>::obstacle_part(const Obstacle<dim>& obstacle) const -> Part {
   return part;
 }
 
-/// Particles of the tank and of the obstacles so far that are in a box or less than a spacing beside it.
+/// Particles of the tank and of earlier obstacles in a box or less than a spacing beside it.
 template <int dim>
 PointHash<dim> Walls<dim>::particles_near(const Box<dim>& box) const {
   PointHash<dim> near(spacing_);
@@ -162,8 +163,8 @@ bool Walls<dim>::inside_other(std::size_t part, const Vec<dim>& x, double t) con
   return false;
 }
 
-/// How deep a point of the tank's frame lies in its floor or side walls [m]; negative in the tank and above
-/// it.
+/// Depth of a point, in the tank's coordinates, below the surface of its floor or side walls [m]; negative in
+/// the tank and above it.
 template <int dim>
 double Walls<dim>::depth_in_walls(const Vec<dim>& x) const {
   if (x[dim - 1] > tank_.max[dim - 1]) return -1;
@@ -235,8 +236,8 @@ void Walls<dim>::require_room(double t) const {
       require_room(static_cast<std::ptrdiff_t>(k) - 1, parts_[k].motion.place(X, t), t);
 }
 
-/// @throws NumericalError where the particle at x of an obstacle has come so deep into the tank's walls, or
-/// into an obstacle before it, that particles of both lie nearly in one place.
+/// @throws NumericalError if the particle at x of an obstacle lies deeper than a quarter of a spacing in the
+/// tank's walls or in an earlier obstacle.
 template <int dim>
 void Walls<dim>::require_room(std::ptrdiff_t obstacle, const Vec<dim>& x, double t) const {
   const double deep = 0.25 * spacing_;

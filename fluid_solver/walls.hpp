@@ -16,16 +16,17 @@ struct WallParticle {
   Vec<dim> place;  ///< at the start [m]
 };
 
-/// Its parts, which move as one each, are numbered: 0 is the tank, then come the obstacles.
+/// The walls of a scene. Its parts are numbered, 0 for the tank and then the obstacles; each part moves as
+/// one rigid body.
 template <int dim>
 class Walls {
  public:
-  /// The tank: floor and side walls, one layer with pressure and `dummy_layers` behind it,
-  /// corners filled, open at the top (the last coordinate). Obstacles: their outermost layer has pressure,
-  /// those with an outline are laid out parallel to it.
-  /// They may overlap each other and go into floor and side walls: a site counts once, as the tank's, or as
-  /// the first obstacle's that has it. Obstacles move with the tank, or as their own motion says; what of
-  /// these lies in the tank's walls at the start does not move with them.
+  /// Places the wall particles. The tank has a floor and side walls with filled corners, of one layer with
+  /// pressure and `dummy_layers` layers behind it, and is open at the top (the last coordinate). The
+  /// outermost layer of obstacles has pressure; obstacles with an outline have layers parallel to it
+  /// (docs/method.md, Walls). Obstacles may overlap each other and the tank's walls: a site in several
+  /// belongs to the tank, or else to the first obstacle. Obstacles move with the tank or by their own motion;
+  /// an obstacle with its own motion has no particles where it overlaps the tank's walls at the start.
   /// @param slip whether particles have the normals of their faces, along which water slides; else zero
   Walls(const Water<dim>& water, int dummy_layers, bool slip = true);
 
@@ -35,8 +36,8 @@ class Walls {
   /// Whether an obstacle takes this place at the start.
   bool covers(const Vec<dim>& x) const;
 
-  /// Where particles may be: the tank with its walls wherever they move, and as much again above its open
-  /// top.
+  /// Region in which particles may be: tank, walls and obstacles in all positions of their motion, with a
+  /// margin, and above the tank's open top once more its height.
   Box<dim> domain() const;
 
   const Box<dim>& tank() const { return tank_; }
@@ -46,7 +47,8 @@ class Walls {
   /// The particles with pressure of a part, once add_to() has given them ids.
   std::vector<WallParticle<dim>> sites(std::size_t part) const;
 
-  /// Whether x lies in floor or side walls, or in an obstacle, at time t [s]; the part itself does not count.
+  /// Whether x lies in the floor or side walls, or in an obstacle, at time t [s]; the part itself does not
+  /// count.
   bool inside_other(std::size_t part, const Vec<dim>& x, double t) const;
 
   /// Whether the wall particle with this id is the tank's.
@@ -58,8 +60,8 @@ class Walls {
   /// Whether the tank or an obstacle moves.
   bool moves() const;
 
-  /// Puts the walls that move where they are at time `end`, with their mean velocity over `dt` before. Those
-  /// that something has covered are walls again.
+  /// Moves the walls with a motion to their position at time `end` [s], with their mean velocity over the
+  /// last `dt` [s]. Wall particles that were covered become wall particles again.
   void move(Particles<dim>& particles, double end, double dt);
 
   /// @throws NumericalError where an obstacle has moved into floor, side walls or another obstacle by time
@@ -72,12 +74,13 @@ class Walls {
   /// Largest speed of an obstacle against the tank in the last move [m/s].
   double approach() const { return approach_; }
 
-  /// Mean velocity over the last move, of `dt`, of a point at rest in the tank that is at x now [m/s].
+  /// Mean velocity over the last move, of `dt` [s], of the point of the tank's frame that is at x at time
+  /// `end` [m/s].
   Vec<dim> tank_velocity(const Vec<dim>& x, double end, double dt) const {
     return (x - tank_motion_.place(tank_motion_.origin(x, end), end - dt)) / dt;
   }
 
-  /// Largest mean speed that any point of a wall has between two times, `from` < `to` [s] [m/s].
+  /// Largest mean speed of any point of a wall between the times `from` < `to` [s], in [m/s].
   double speed_between(double from, double to) const;
 
   /// Whether x at time t has left the tank by more than a spacing, through floor or sides.

@@ -81,7 +81,7 @@ WaterParts connected_water(const Mps<dim>& mps, double spacing) {
 template <int dim>
 double level_over(const Mps<dim>& mps, const WaterParts& parts, const GaugeLine<dim>& line, double spacing) {
   const double re = mps.neighbors().re();
-  // Integral of (1 - r / r_e)^2 over the support, in particles.
+  // Integral of (1 - r / r_e)^2 over the support, times the number of particles per volume.
   const double full = (dim == 2 ? 1.0 / 6 : 2.0 / 15) * std::numbers::pi * std::pow(re / spacing, dim);
   const auto [part, highest] = part_near(mps, parts, line, spacing);
   if (part < 0) return 0;

@@ -7,13 +7,13 @@
 
 namespace cosurge::fluid {
 
-/// Plain aggregation: the unknowns of one cell (2.1 l0 wide, about four in two dimensions) make one unknown
-/// of the next level, 2 x 2 (x 2) cells one of the level after, down to a small dense system. Piecewise
-/// constant prolongation P, Galerkin sums, corrections scaled up because piecewise constants are too stiff
-/// (Braess 1995, Computing 55, 379-393). On the levels of the cells a V-cycle with one damped Jacobi sweep
-/// before and after; on the unknowns themselves the sum D^-1 + 1.6 P V P^T, which takes half as many
-/// iterations again as a V-cycle but no product with the matrix. Coarse levels are in single precision: it
-/// only has to be near the inverse.
+/// Plain aggregation (Braess 1995, Computing 55, 379-393): the unknowns of one cell (2.1 l0 wide, about four
+/// in two dimensions) make one unknown of the next level, 2 x 2 (x 2) cells one of the level after, down to a
+/// small dense system. Prolongation P is piecewise constant and coarse matrices are Galerkin sums;
+/// corrections are scaled up because piecewise constants are too stiff. The levels of cells form a V-cycle V
+/// with one damped Jacobi sweep before and after. On the unknowns themselves the preconditioner is the sum
+/// D^-1 + 1.6 P V P^T, which takes half as many iterations again as a full V-cycle but no product with the
+/// matrix. Coarse levels are in single precision, which is accurate enough for a preconditioner.
 class Aggregation : public Preconditioner {
  public:
   void set_up(const Matrix& A, const CellsOfUnknowns& cells) override;
@@ -24,7 +24,7 @@ class Aggregation : public Preconditioner {
  private:
   static constexpr float damping = 0.8F;  // damping of the Jacobi sweeps
   static constexpr float correction =
-      1.6F;  // factor on the coarse correction: measured best on disordered columns
+      1.6F;  // factor on the coarse correction, the best value measured on disordered columns
   static constexpr int directly = 160;  // unknowns below which the system is factorised
 
   /// One coarse level: its matrix, and how its unknowns gather those of the finer level.

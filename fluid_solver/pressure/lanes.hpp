@@ -15,9 +15,9 @@ inline Doubles doubles_of(const Floats& v) { return __builtin_convertvector(v, D
 
 #else
 
-/// In halves: on AVX2 GCC moves a vector that is wider than the registers number by number, through memory,
-/// which costs more than it computes. (On SSE2 it does no better with halves, which are wider than the
-/// registers, too.)
+/// Two vectors of four numbers. On AVX2, GCC moves vectors that are wider than the registers through memory,
+/// number by number, which costs more than the arithmetic. (On SSE2 halves are wider than the registers too,
+/// so one vector is as good.)
 struct Doubles {
   using Half = double __attribute__((vector_size(4 * sizeof(double))));
   Half low{};

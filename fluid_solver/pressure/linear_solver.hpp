@@ -15,8 +15,7 @@ struct [[nodiscard]] SolveReport {
   bool converged = true;
 };
 
-/// The groups of unknowns that the neighbour search already has: unknowns are numbered by cell. Only cells
-/// that have unknowns are listed.
+/// The cells of the neighbour search that contain unknowns. Unknowns are numbered by cell.
 struct CellsOfUnknowns {
   /// Consecutive cells.
   struct Line {

@@ -38,8 +38,9 @@ OpenSurface OpenSurface::on_lattice(double re, double spacing, double smooth0) {
   for (int height = 1; height < re / spacing; ++height) above.push_back(layer_at<dim>(height, re / spacing));
   require(above.size() > 1 && re / spacing >= 1.5,
           "the radius of the Laplacian, {} spacings, must be at least 1.5 spacings", re / spacing);
-  // Hydrostatic pressure is (layer + 1/2) rho g l0 in the layers 0, 1, ... below the surface: the row of a
-  // layer is exact when its weight times that is what the layers around it leave.
+  // The hydrostatic pressure is (layer + 1/2) rho g l0 in the layers 0, 1, ... below the surface. The matrix
+  // row of a layer is exact if its weight times this pressure equals the residual of the weights of the other
+  // layers.
   double lever = 0;  // sum of height x weight of the layers below
   for (std::size_t k = 1; k < above.size(); ++k) lever += static_cast<double>(k) * above[k].weights;
   std::array<double, 2> lack{}, needed{};
@@ -51,7 +52,7 @@ OpenSurface OpenSurface::on_lattice(double re, double spacing, double smooth0) {
   needed[1] = (lever - above[1].weights) / 1.5;
   const double first = lack[0] - tolerance;
   const double second = lack[1] - tolerance;
-  if (second <= 0) return {needed[0] / first, 0};  // the radius ends before a second layer sees the surface
+  if (second <= 0) return {needed[0] / first, 0};  // the radius reaches the air from one layer only
   const double curvature = (needed[0] / first - needed[1] / second) / (first - second);
   return {needed[0] / first - curvature * first, curvature};
 }

@@ -13,14 +13,14 @@ void each_seen(const Particles<dim>& particles, const CellGrid<dim>& grid, int i
     for (std::int32_t j = first; j < last; ++j) {
       const Vec<dim> x_ij = particles.x[j] - particles.x[i];
       const double square = x_ij.squaredNorm();
-      if (square > re * re) continue;  // half of them
+      if (square > re * re) continue;  // about half of the candidates
       const double w = weight_of(static_cast<float>(square), static_cast<float>(re));
       if (w != 0) visit(j, x_ij, w);
     }
   });
 }
 
-/// In the row of water.
+/// Sum for a water particle.
 template <int dim>
 double parting_of_water(const Particles<dim>& particles, const std::vector<Vec<dim>>& velocity,
                         const CellGrid<dim>& grid, int i, double re, const Vec<dim>& kick) {
@@ -34,8 +34,8 @@ double parting_of_water(const Particles<dim>& particles, const std::vector<Vec<d
   return sum;
 }
 
-/// Divergence in the row of a wall or body point: from the water before it and other walls. Points of a wall
-/// that the face moves along stand for the water there; and a face beside it moves as in the row of water.
+/// Sum for a point of a wall or body, from the water before it and other walls. Wall points that the face
+/// moves along stand for the water there; faces beside the point count as for a water particle.
 template <int dim>
 double parting_of_face(const Particles<dim>& particles, const std::vector<Vec<dim>>& velocity,
                        const CellGrid<dim>& grid, int i, double re, double face_factor,

@@ -6,15 +6,15 @@
 
 namespace cosurge::fluid {
 
-/// Sum of w_ij u_ij . x_ij over the particles within `re` [m] of particle i [m2/s]: times d / (lambda0 n0)
-/// the divergence (10b). Water slides along faces: a pair of water and a point of a wall or body with the
-/// normal n has (u_ij . n) n in place of u_ij. In the row of such a point itself the water's velocity along
-/// the face counts relative to its mean over the neighbours, and water behind a body's face does not count.
-/// Two points of bodies do not count for each other. `velocity` [m/s] is that of each particle;
-/// `kick` is added to the velocity of walls and bodies.
+/// Sum of w_ij u_ij . x_ij over the particles within `re` [m] of particle i [m2/s], which is the divergence
+/// (10b) times lambda0 n0 / d. Water slides along faces: a pair of a water particle and a point of a wall or
+/// body with the normal n uses (u_ij . n) n in place of u_ij. In the sum for a point of a wall or body, the
+/// velocity of the water along the face is relative to its mean over the neighbours, and water behind a
+/// body's face does not count. Pairs of points of bodies do not count. `velocity` [m/s] is that of each
+/// particle; `kick` [m/s] is added to the velocity of walls and bodies.
 ///
-/// The row of a point of a wall or body has water on one side only; its sum is multiplied by `face_factor`;
-/// then the momentum that a plane wall gives to the water by a sudden motion is exact (10c).
+/// A point of a wall or body has water on one side only. Its sum is multiplied by `face_factor`, so that the
+/// momentum that a plane wall gives to the water by a sudden motion is exact (10c).
 template <int dim>
 double parting_at_faces(const Particles<dim>& particles, const std::vector<Vec<dim>>& velocity,
                         const CellGrid<dim>& grid, int i, double re, double face_factor,

@@ -12,10 +12,10 @@
 namespace cosurge::fluid {
 namespace {
 
-constexpr int stretch = 64;  // candidates weighed in one go: as many as bits in a word
+constexpr int stretch = 64;  // candidates tested at a time: the number of bits of a word
 constexpr int expected_blocks(int dim) { return dim == 2 ? 12 : 90; }  // on the lattice, and disorder
 
-/// A bit for each of `lanes` numbers that is not zero.
+/// One bit for each of `lanes` numbers: 1 where the number is not zero.
 inline std::uint32_t not_zero(const float* numbers) {
   using Bits = std::int32_t __attribute__((vector_size(8 * sizeof(std::int32_t))));
   Floats values;
@@ -68,7 +68,7 @@ void PoissonEquation<dim>::number_unknowns(const Particles<dim>& particles, cons
   x_ = in_lines([&](int i) { return particles.x[i]; });
 }
 
-/// value(place) of each unknown.
+/// The vector of value(place) over all unknowns.
 template <int dim>
 template <typename Value>
 auto PoissonEquation<dim>::in_lines(Value&& value) const -> Lines {
@@ -179,7 +179,7 @@ std::vector<double> PoissonEquation<dim>::divergence_by_bodies(const Particles<d
   return divergence;
 }
 
-/// From a sum of eq. (10b) to the divergence.
+/// Converts a sum of eq. (10b) to the divergence.
 template <int dim>
 double PoissonEquation<dim>::per_sum() const {
   return dim / (reference_.lambda0 * reference_.n0);
@@ -225,8 +225,8 @@ auto PoissonEquation<dim>::fill_row(const Assembly& assembly, int k, std::int64_
   return row;
 }
 
-/// Appends the weights between the row's particle and the unknowns first ... last: blocks that begin with one
-/// that is not zero.
+/// Appends the weights between the particle of the row and the unknowns first ... last, in blocks that begin
+/// with a nonzero weight.
 template <int dim>
 void PoissonEquation<dim>::fill_line(const Assembly& assembly, int first, int last, Row& row) {
   std::array<float, stretch + Matrix::lanes> weights;
@@ -242,7 +242,7 @@ void PoissonEquation<dim>::fill_line(const Assembly& assembly, int first, int la
   }
 }
 
-/// Weights of `count` columns from `first` on, and zeros behind them for a block.
+/// Weights of `count` columns from `first` on, padded with zeros to a block.
 template <int dim>
 void PoissonEquation<dim>::weigh(const Vec<dim>& x_i, int first, int count, float* weights) const {
   const auto re = static_cast<float>(parameters_.re);
@@ -262,7 +262,7 @@ void PoissonEquation<dim>::weigh(const Vec<dim>& x_i, int first, int count, floa
 
 template <int dim>
 void PoissonEquation<dim>::append_blocks(int first, int count, const float* weights, Row& row) {
-  std::uint64_t left = 0;  // columns that are not zero, and not yet in a block
+  std::uint64_t left = 0;  // nonzero columns that no block contains yet
   for (int k = 0; k < count; k += Matrix::lanes) left |= std::uint64_t{not_zero(weights + k)} << k;
   while (left != 0) {
     const int from = std::countr_zero(left);
@@ -281,7 +281,7 @@ void PoissonEquation<dim>::append_blocks(int first, int count, const float* weig
   }
 }
 
-/// Takes out the pairs that see each other through a body; for both, the other side is a wall.
+/// Removes pairs on opposite sides of a body; each particle sees a wall there (eq. 11).
 template <int dim>
 void PoissonEquation<dim>::hide_behind_bodies(const Assembly& assembly, int first, int count, float* weights,
                                               Row& row) const {
@@ -312,8 +312,8 @@ void PoissonEquation<dim>::open_to_air(double lack, Row& row) const {
   row.see(surface);
 }
 
-/// Free surface (P = 0), and walls by the Neumann condition: the particles first ... last of those without an
-/// unknown.
+/// Adds the terms of the particles first ... last without an unknown: P = 0 of the free surface, and the
+/// Neumann condition of walls.
 template <int dim>
 void PoissonEquation<dim>::add_others(const Assembly& assembly, int first, int last, Row& row) const {
   const Particles<dim>& particles = assembly.particles;

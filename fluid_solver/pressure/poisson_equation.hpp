@@ -15,49 +15,50 @@ struct PoissonParameters {
   double density;          ///< rho [kg/m3]
   double compressibility;  ///< alpha [1/Pa]
   Vec<dim> gravity;        ///< [m/s2]
-  /// Whether the free surface is what OpenSurface makes of missing water; else P = 0 at particles flagged as
-  /// free surface, as in Amaro & Cheng. Flagged are then only particles without pressure: lone drops, and
-  /// walls without water beside them.
+  /// Whether the free surface follows from missing water (OpenSurface). If so, only particles that cannot
+  /// have a pressure are flagged: drops, and walls without water beside them. If not, P = 0 at particles
+  /// flagged as free surface, as in Amaro & Cheng.
   bool open_surface = false;
 };
 
 /// Eq. (11): (2 d / (lambda0 n0)) sum (P_j - P_i) w - alpha rho / tau^2 P_i = S_i for every particle with a
-/// pressure that is not flagged as free surface. Times -lambda0 n0 / (2 d) it is a symmetric M-matrix.
-/// Dummies and inner points of bodies represent P_j = P_i + rho g . x_ij: the Neumann condition of a wall at
-/// rest. So do pairs that see each other through a body.
+/// pressure that is not flagged as free surface. Multiplied by -lambda0 n0 / (2 d), the matrix is a symmetric
+/// M-matrix. Dummies and inner points of bodies represent P_j = P_i + rho g . x_ij, the Neumann condition of
+/// a wall at rest. So do particles on the other side of a body.
 template <int dim>
 class PoissonEquation {
  public:
   explicit PoissonEquation(const PoissonParameters<dim>& parameters);
 
-  /// Builds the matrix. `areas` are the area vectors of the particles on body surfaces (others are not looked
-  /// at), by place. `tau` [s] is the time on which the source mends the density.
+  /// Builds the matrix. `areas` are the area vectors of the particles, by place; only those on body surfaces
+  /// are used. `tau` [s] is the time scale on which the source corrects the density, eq. (11).
   void assemble(const Particles<dim>& particles, const CellGrid<dim>& grid,
                 const std::vector<Vec<dim>>& areas, double tau);
 
-  /// Builds the right-hand side for the matrix that is there; `source` is S for each particle, by place
-  /// [kg/(m3 s2)].
+  /// Builds the right-hand side for the assembled matrix; `source` is S for each particle, by place [kg/(m3
+  /// s2)].
   void set_source(const std::vector<double>& source);
 
-  /// Deviation of each unknown's smooth density, eq. (2b) with the radius of the Laplacian, from the density
-  /// of the lattice, relative to the latter [-]. NaN beside the free surface: there, missing water cannot be
-  /// told from thin water.
+  /// Relative deviation of each unknown's smooth density, eq. (2b) with the radius of the Laplacian, from
+  /// that of the lattice [-]. NaN beside the free surface, where missing water cannot be distinguished from a
+  /// low density.
   const std::vector<double>& deviation() const { return deviation_; }
 
-  /// Divergence of the velocity with the equation's own weights, eq. (10b) and (10c), at each unknown [1/s].
-  /// Water slides along walls and bodies; `kick` [m/s] is added to the velocity of both: what gravity has
-  /// given the water in the prediction. The Neumann condition takes it back from both; without it the source
-  /// would count the weight of the water once more. Without an open surface it is NaN at unknowns that are no
-  /// water, or have a free surface or a body within the radius.
+  /// Divergence of the velocity with the weights of the equation, eq. (10b) and (10c), at each unknown [1/s].
+  /// Water slides along walls and bodies. `kick` = dt g [m/s] is added to the velocity of both: the predicted
+  /// velocity of the water contains it, and the Neumann condition subtracts it from both (docs/method.md, "At
+  /// faces"). Without an open surface the value is NaN at unknowns that are not water, or that have a free
+  /// surface or a body within the radius.
   std::vector<double> divergence(const Particles<dim>& particles, const CellGrid<dim>& grid,
                                  const Vec<dim>& kick) const;
 
-  /// The same for `velocity` [m/s] by place, where only bodies move: zero at unknowns that see no body.
+  /// The same for `velocity` [m/s] by place, where only bodies move: zero at unknowns without a body within
+  /// the radius.
   std::vector<double> divergence_by_bodies(const Particles<dim>& particles,
                                            const std::vector<Vec<dim>>& velocity,
                                            const CellGrid<dim>& grid) const;
 
-  /// The right-hand side of a source alone, without gravity at walls.
+  /// The right-hand side for `source` alone, without the gravity terms at walls.
   std::vector<double> rows_of(const std::vector<double>& source) const;
 
   const Matrix& matrix() const { return A_; }
@@ -66,7 +67,7 @@ class PoissonEquation {
   const std::vector<std::int32_t>& unknowns() const { return place_; }  ///< place of each unknown's particle
 
  private:
-  /// A vector for each unknown, coordinate by coordinate, and room for whole lanes.
+  /// One array over the unknowns for each coordinate, padded to whole lanes.
   using Lines = std::array<std::vector<double>, dim>;
 
   /// Data shared by the rows of one assembly.
@@ -77,7 +78,7 @@ class PoissonEquation {
     int reach;  ///< cells to each side that a row looks at
   };
 
-  /// Kinds of particles within the radius of an unknown, beside water: one bit each.
+  /// Which particles other than water lie within the radius of an unknown, one bit each.
   enum Sight : std::uint8_t { walls = 1, bodies = 2, surface = 4 };
 
   /// A row while it is filled.
@@ -120,12 +121,12 @@ class PoissonEquation {
   std::vector<double> deviation_;
   std::vector<std::uint8_t> sight_;
   CellsOfUnknowns cells_;
-  std::vector<std::int32_t> place_;  // place of each unknown
-  std::vector<std::int32_t> rank_;   // unknowns in lower places than this one, for each place and the end
-  std::vector<std::int32_t> other_;  // places of the particles that are no unknowns
-  std::vector<std::int32_t> wet_;  // unknowns on bodies that are numbered lower, for each unknown and the end
-  std::vector<std::int32_t> face_;  // the same of unknowns on walls and bodies
-  Lines x_;                         // positions of the unknowns
+  std::vector<std::int32_t> place_;  // place of the particle of each unknown
+  std::vector<std::int32_t> rank_;   // number of unknowns in lower places, for each place and the end
+  std::vector<std::int32_t> other_;  // places of the particles without an unknown
+  std::vector<std::int32_t> wet_;    // number of lower unknowns on bodies, for each unknown and the end
+  std::vector<std::int32_t> face_;   // the same for unknowns on walls and bodies
+  Lines x_;                          // positions of the unknowns
 };
 
 }  // namespace cosurge::fluid

@@ -33,8 +33,9 @@ struct Rates {
 };
 
 /// Eq. (6c): S = rho k_u div u* - rho k_n^2 (n* - n0) / n0, after Cheng, Amaro & Favero 2021 (arXiv
-/// 2203.08873), who have one rate c / l0 for both: the divergence decays on a time scale of its own, whatever
-/// the step, and the density follows, damped by k_u / (2 k_n) of critical. `density_rate` is k_n [1/s].
+/// 2203.08873), who use one rate c / l0 for both. The divergence decays at the rate k_u for any step, and the
+/// density oscillates at k_n with the damping ratio k_u / (2 k_n). `density_rate` is k_n [1/s]; the
+/// input's `per_divergence` is rho k_u.
 inline double time_scale_source(const SourceInput& in, double density_rate) {
   return in.per_divergence * in.divergence - in.density * density_rate * density_rate * in.deviation;
 }
