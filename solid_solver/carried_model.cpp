@@ -7,7 +7,7 @@
 namespace cosurge {
 namespace {
 
-/// One by one: GCC 12 warns of whole vectors that go from products into a column.
+/// Written column by column: GCC 12 warns when a vector from a product is assigned to a column.
 template <int dim>
 void set_column(Field& all, Eigen::Index n, const Vec<dim>& values) {
   for (int k = 0; k < dim; ++k) all(k, n) = values[k];
@@ -47,7 +47,7 @@ Field CarriedModel<dim>::rotated(const Field& nodal, const std::vector<Mat<dim>>
   return all;
 }
 
-/// Where places in the carriers are in space at time t [m].
+/// Positions in space at time t of points of the carriers' frames [m].
 template <int dim>
 Field CarriedModel<dim>::carried(const Field& place, double t) const {
   Field all(dim, place.cols());
@@ -64,8 +64,8 @@ Field CarriedModel<dim>::carrier_velocities(const Field& place, double t) const 
   return all;
 }
 
-/// Apparent acceleration of nodes at these places in the window, in addition to gravity when the carriers
-/// were at the start (S46) [m/s2].
+/// Apparent acceleration of nodes at these points of the carriers' frames in the window, in addition to
+/// gravity in the initial orientation of the carriers (S46) [m/s2].
 template <int dim>
 Field CarriedModel<dim>::apparent_acceleration(const Field& place, const Window& window) const {
   const double start = window.start, end = window.start + window.size;

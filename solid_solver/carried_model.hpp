@@ -9,8 +9,8 @@
 namespace cosurge {
 
 /// Any model, computed in the frame of the carrier of each body: the tank, an obstacle, or a motion of the
-/// body's own (docs/method_solid.md, section 13). Clamps, supports and springs stand still there; the nodes
-/// get the forces of inertia of the carrier's motion. Displacements, velocities and energies are those in
+/// body's own (docs/method_solid.md, section 13). Clamps, supports and springs are at rest in that frame, and
+/// the nodes get the inertial forces of its motion. Displacements, velocities and energies are returned in
 /// space.
 template <int dim>
 class CarriedModel : public WrappedModel {
@@ -24,7 +24,7 @@ class CarriedModel : public WrappedModel {
   Field acceleration_by(const Field& load) const override;
   double max_speed() const override { return velocity().colwise().norm().maxCoeff(); }
 
-  /// The kinetic energy includes clamped nodes, which move with what holds them.
+  /// The kinetic energy includes clamped nodes, which move with the carrier.
   Energies energies() const override;
   std::string save() const override;
   void restore(const std::string& state) override;

@@ -8,14 +8,14 @@
 
 namespace cosurge {
 
-/// Density, Young's modulus, Poisson's ratio, law of large strains, and what a scene of two dimensions leaves
-/// out.
+/// Density, Young's modulus, Poisson's ratio, material law of large strains, and the condition normal to the
+/// plane of a scene of two dimensions.
 struct Elasticity {
   double density;             ///< [kg/m3]
   double young_modulus;       ///< [Pa]
   double poisson_ratio;       ///< [-]
-  bool plane_stress = false;  ///< the direction that the scene lacks is free of stress; otherwise of strain
-  bool neo_hookean = false;   ///< compressible; otherwise St. Venant-Kirchhoff
+  bool plane_stress = false;  ///< no stress normal to the plane; otherwise no strain
+  bool neo_hookean = false;   ///< compressible neo-Hookean law; otherwise St. Venant-Kirchhoff
 
   double mu() const { return young_modulus / (2 * (1 + poisson_ratio)); }
 

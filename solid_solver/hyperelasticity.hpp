@@ -26,8 +26,8 @@ Mat<dim> green_strain(const Mat<dim>& H) {
   return 0.5 * (H + H.transpose() + H.transpose() * H);
 }
 
-/// The measure of volume that lambda resists, from H = F - I: tr E of St. Venant-Kirchhoff's law, ln J of the
-/// neo-Hookean one; in the plane of a scene of two dimensions.
+/// The measure of volume in the terms with lambda, from H = F - I: tr E in St. Venant-Kirchhoff's law, ln J
+/// in the neo-Hookean law; in the plane of a scene of two dimensions.
 template <int dim>
 double dilatation(const Mat<dim>& H, const Elasticity& m) {
   if (!m.neo_hookean) return H.trace() + 0.5 * H.squaredNorm();
@@ -48,9 +48,9 @@ Response<dim> st_venant_kirchhoff(const Mat<dim>& H, double theta, const Elastic
 }
 
 /// The compressible neo-Hookean law psi = mu / 2 (tr C - 3 - 2 ln J) + lambda / 2 (ln J)^2 with C = F^T F
-/// (Bonet & Wood 2008; docs/method_solid.md, S35): S = mu (I - C^-1) + lambda ln J C^-1; theta stands for the
-/// ln J of lambda's terms, in the plane. In plane stress the stretch across follows from S_33 = 0, by
-/// Newton's method on its logarithm. Without sense where det F <= 0.
+/// (Bonet & Wood 2008; docs/method_solid.md, S35): S = mu (I - C^-1) + lambda ln J C^-1. `theta` replaces ln
+/// J in the terms with lambda. In plane stress the stretch normal to the plane follows from S_33 = 0, by
+/// Newton's method for its logarithm. Undefined where det F <= 0.
 template <int dim>
 Response<dim> neo_hookean(const Mat<dim>& H, double theta, const Elasticity& m) {
   const double mu = m.mu(), lambda = m.lambda_in_space();
@@ -87,8 +87,8 @@ Response<dim> respond(const Mat<dim>& H, const Elasticity& material) {
   return respond<dim>(H, dilatation<dim>(H, material), material);
 }
 
-/// Von Mises stress [Pa] of the Cauchy stress J^-1 F S F^T (docs/method_solid.md, S19), with what a scene of
-/// two dimensions has across: no strain, or no stress.
+/// Von Mises stress [Pa] of the Cauchy stress J^-1 F S F^T (docs/method_solid.md, S19); in two dimensions
+/// with the stress or strain normal to the plane.
 template <int dim>
 double von_mises_stress(const Mat<dim>& F, const Elasticity& material) {
   const Response<dim> response = respond<dim>(F - Mat<dim>::Identity(), material);

@@ -17,8 +17,8 @@ struct OscillatorState {
       0;  ///< integral of s d eta over the last step, s = t / h: what a ramped load works on
 };
 
-/// One step of eta'' + damping eta' + omega^2 eta = load, a load per unit of mass that goes linearly from
-/// first to last: exact for any step, damping and stiffness, none included (docs/method_solid.md, S27).
+/// One step of eta'' + damping eta' + omega^2 eta = load, with a load per unit of mass that changes linearly
+/// from first to last. Exact for any step, damping and stiffness, including zero (docs/method_solid.md, S27).
 class OscillatorStep {
  public:
   /// @param omega_squared [1/s2], damping [1/s], h the step [s]; none negative

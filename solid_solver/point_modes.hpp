@@ -10,21 +10,21 @@
 
 namespace cosurge {
 
-/// Modes are those of the model, or of finite elements in its place where it does not know them. They are
-/// found about the bodies where they are drawn, and turn with the bodies: with what carries a body, and a
-/// free body of a model of large motion by the rotation that is nearest to the motion of its points.
+/// Modes are those of the model, or of finite elements if the model does not know its modes. They are found
+/// about the undeformed bodies and rotate with them: with the carrier of a body, and for a free body of a
+/// model of large motion by the rotation nearest to the motion of its points (docs/method.md, after eq. 20).
 class PointModes {
  public:
   /// @param interface the points; `count` the largest number of modes of each body
   template <int dim>
   PointModes(const Structure<dim>& structure, const Interface& interface, const SolidModel& model, int count);
 
-  /// How each mode answers another load over the window (docs/method.md, eq. 20).
-  /// @param window that the model has just gone through
-  /// @param H of the points
+  /// Response of each mode to another load over the window (docs/method.md, eq. 20).
+  /// @param window the window that the model has just computed
+  /// @param H from the nodes to the points (SolidModel::interpolation)
   /// @param displacement of the points at the end of the window [m]; force on them in the window [N]
-  /// @param order of Stumpff's function that gives the velocity which the water sees: 1 the one at the end
-  /// under a held load, one more for the mean, one more for a ramped load
+  /// @param order of Stumpff's function in the mobility: 1 for the velocity at the end under a held load,
+  /// plus one for the mean velocity, plus one for a ramped load
   std::vector<Mode> answers(const SolidModel& model, const Window& window, const Interpolation& H,
                             const Field& displacement, const Field& force, std::size_t order) const;
 
@@ -35,11 +35,11 @@ class PointModes {
     double omega_squared;
   };
 
-  /// How the modes of a body turn.
+  /// How the modes of a body rotate.
   struct Turning {
     std::function<Eigen::MatrixXd(double t)>
         with_carrier;  // rotation of the carrier; empty: it does not move
-    bool with_points;  // otherwise: as the points of the body
+    bool with_points;  // if with_carrier is empty: with the points of the body
   };
 
   std::vector<PointMode> modes_of(const SolidModel& model, const Interpolation& H) const;
@@ -48,9 +48,9 @@ class PointModes {
 
   Interface interface_;
   int count_;
-  bool of_model_;                    // the model knows its modes
+  bool of_model_;                    // whether the model knows its modes
   std::vector<Turning> turnings_;    // of each body
-  std::vector<PointMode> elements_;  // otherwise: those of finite elements
+  std::vector<PointMode> elements_;  // modes of finite elements, if it does not
 };
 
 }  // namespace cosurge

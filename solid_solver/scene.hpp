@@ -1,4 +1,4 @@
-// What the solid solver computes: the structure, and what is around it.
+// Input of the solid solver: the structure and its surroundings.
 #pragma once
 
 #include <string>
@@ -21,7 +21,7 @@ struct Surroundings {
 struct Exchange {
   bool ramped;        ///< the load goes linearly from that of the last window to the new one
   bool end_velocity;  ///< the water gets the velocity at the end of a window, otherwise the mean over it
-  int modes;          ///< number of the lowest modes of each body whose answer to a load is told; 0: none
+  int modes;          ///< number of the lowest modes of each body whose response to a load is sent; 0: none
 };
 
 /// A material point whose displacement is recorded.

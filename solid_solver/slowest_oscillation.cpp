@@ -9,7 +9,7 @@
 namespace cosurge {
 namespace {
 
-/// omega^2 of the first mode that is no rigid motion [1/s2]; 0 where there is none.
+/// omega^2 of the first mode that is not a rigid motion [1/s2]; 0 if there is none.
 template <int dim>
 double first_elastic(const Structure<dim>& structure, std::size_t b) {
   constexpr int rigid_motions = dim == 2 ? 3 : 6;

@@ -1,4 +1,4 @@
-// How fast the structure oscillates: what the water's pressure has to follow.
+// The frequency of the structure, which the source of the pressure equation needs.
 #pragma once
 
 #include "solid_solver/solid_model.hpp"
@@ -6,9 +6,9 @@
 
 namespace cosurge {
 
-/// Angular frequency [rad/s] in vacuum of the slowest oscillation of each body, the highest of all bodies. A
-/// body on springs counts with its fastest one. 0 where nothing oscillates: rigid bodies. Deformable bodies:
-/// the first mode of finite elements (docs/method.md, eq. (6d)).
+/// Largest angular frequency [rad/s] in vacuum among the slowest oscillations of all bodies (docs/method.md,
+/// eq. 6d): the first mode of finite elements for a deformable body, the fastest motion of a body on springs.
+/// 0 if nothing oscillates.
 /// @param model of the structure
 template <int dim>
 double slowest_oscillation(const Structure<dim>& structure, const SolidModel& model);

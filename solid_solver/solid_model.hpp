@@ -9,11 +9,12 @@
 
 namespace cosurge {
 
-/// H: one row a point, one column a node. Motion goes from nodes to points by u = q H^T, loads come back by
-/// f_q = f H, so that both do the same work (docs/method_solid.md, S16).
+/// H: one matrix row for each point, one column for each node. The motion of the nodes is mapped to the
+/// points by u = q H^T, and loads are mapped back by f_q = f H, so that both do the same work
+/// (docs/method_solid.md, S16).
 using Interpolation = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// Force on the nodes [N], dimension x nodes: it goes linearly from `first` to `last` over the window.
+/// Force on the nodes [N], dimension x nodes. It changes linearly from `first` to `last` over the window.
 struct NodalLoad {
   Field first;
   Field last;
@@ -26,7 +27,7 @@ struct NodalMode {
   double omega_squared = 0;  ///< [1/s2]; 0 where nothing holds the body
 };
 
-/// Where the nodes of a model are where the bodies are undeformed, and which body is whose.
+/// Positions of a model's nodes in the undeformed bodies, and the body of each node and particle.
 struct NodeLayout {
   Field position;                  ///< positions of the nodes, dimension x nodes [m]
   std::vector<int> body;           ///< body of each node
@@ -57,17 +58,17 @@ class SolidModel {
   /// Particles of a frame.
   virtual std::uint64_t particles() const = 0;
 
-  /// H for points of the reference configuration that belong to the given bodies. Rows sum to one and are
-  /// exact for affine motion, except for points in a held region, whose row may be empty.
+  /// H for points of the reference configuration that belong to the given bodies. Its matrix rows sum to one
+  /// and are exact for affine motion, except for points in a held region, whose row may be empty.
   /// @throws Error for a point that the body does not reach.
   virtual Interpolation interpolation(const Field& position, const std::vector<int>& body) const = 0;
 
-  /// The sub-step that this model takes where the window allows [s]; 0 where it takes the window.
+  /// The model's own sub-step [s]; 0 if it takes the whole window.
   virtual double substep() const = 0;
 
-  /// Sub-cycles over one window; returns their number n. Sub-step k sees first + s_k (last - first), the
-  /// impulse of the linear load (S14): s_k = (k + 1/2) / n, or the instant at which the model balances its
-  /// forces.
+  /// Computes one window in n sub-steps and returns n. Sub-step k has the load first + s_k (last - first),
+  /// with the impulse of the linear load (S14): s_k = (k + 1/2) / n, or the instant at which the model
+  /// balances its forces. @throws NumericalError if the motion becomes unstable.
   /// @throws NumericalError where the motion runs away.
   virtual int advance(const Window& window, const NodalLoad& load) = 0;
 
@@ -78,25 +79,26 @@ class SolidModel {
   /// sum over sub-steps k of s_k dq_k in the last window [m]: what ramped loads work on (S15).
   virtual Field ramp_increment() const = 0;
 
-  /// M^-1 f: what loads on the nodes [N] accelerate them by where nothing else acts, about the undeformed
-  /// bodies [m/s2]; held nodes by nothing.
+  /// M^-1 f: the acceleration of the nodes by the loads f [N] alone, about the undeformed bodies [m/s2]; zero
+  /// for held nodes.
   virtual Field acceleration_by(const Field& load) const = 0;
 
   virtual NodeLayout layout() const = 0;
 
-  /// M a: the forces on the nodes that give them an acceleration, dimension x nodes; those of held nodes
-  /// count among the accelerations [N].
+  /// M a: the forces on the nodes that cause the acceleration a, dimension x nodes, including the
+  /// accelerations of held nodes [N].
   virtual Field inertia(const Field& acceleration) const = 0;
 
-  /// Where in a sub-step, as a share of it, displacements go on with the present velocity until a force that
-  /// depends on them and is held over the sub-step neither gives nor takes energy (S45).
+  /// The instant within a sub-step, as a share of it, for a displacement-dependent force that is held over
+  /// the sub-step: evaluated at displacements extrapolated to this instant with the present velocity, the
+  /// force conserves its energy (c of S45).
   virtual double force_instant() const { return 0.5; }
 
   virtual double max_speed() const = 0;  ///< [m/s] of the nodes
   virtual Energies energies() const = 0;
 
-  /// The lowest modes, at most `count` of each body, where the model knows them, as they would answer a load
-  /// now, seen from what carries the bodies; none for others.
+  /// The lowest modes, at most `count` of each body, as they would respond to a load in the present state, in
+  /// the frame of the bodies' carriers; none if the model does not know its modes.
   virtual std::vector<NodalMode> modes(int /*count*/) const { return {}; }
 
   /// Quantities of this model alone, reported after every window.

@@ -17,12 +17,13 @@
 namespace cosurge {
 namespace {
 
-/// Longest window [s] that resolves an oscillation of `frequency` [rad/s]. Weak coupling loses amplitude in
-/// proportion to the window (docs/stability.md); without water the structure's own integration is the limit.
-/// A structure that needs windows much shorter than the water's follows its load as if it had no inertia.
+/// Longest window [s] that resolves an oscillation of `frequency` [rad/s]: weak coupling reduces the
+/// amplitude in proportion to the window (docs/stability.md); without water the structure's own time
+/// integration sets the limit. The window is at least half of the water's: an oscillation that is much faster
+/// follows the load quasi-statically.
 template <int dim>
 double window_of(const Surroundings<dim>& surroundings, double frequency, bool loaded) {
-  constexpr double shortest = 0.5;  // of the water's window
+  constexpr double shortest = 0.5;  // share of the water's window
   if (frequency == 0) return std::numeric_limits<double>::infinity();
   const double windows_per_period = loaded ? 200 : 50;
   const double resolved = 2 * std::numbers::pi / (windows_per_period * frequency);
@@ -87,7 +88,7 @@ void SolidParticipant::place_probes(const std::vector<DisplacementProbe<dim>>& p
   probes_.H = model_->interpolation(positions, bodies);
 }
 
-/// Answers of the modes to the load of the window that the model has just gone through with `motion`.
+/// Responses of the modes to the load of the window that the model has just computed with `motion`.
 std::vector<Mode> SolidParticipant::modes(const Window& window, const InterfaceLoad& load,
                                           const InterfaceMotion& motion) const {
   if (!modes_ || window.attempt != Attempt::first) return {};
@@ -107,7 +108,7 @@ Report SolidParticipant::advance(const Window& window, const InterfaceLoad& load
   clock_.enter(mapping);
   const Field moved = model_->displacement();
   const Field increment = moved - displacement_;
-  // With s the ramp of S15, sum (first + s (last - first)) . dq.
+  // Work sum (first + s (last - first)) . dq with s of (S14).
   const Field late = exchange_.ramped ? model_->ramp_increment() : Field::Zero(dimension_, model_->nodes());
   interface_work_ += nodal_load.first.cwiseProduct(increment).sum() +
                      (nodal_load.last - nodal_load.first).cwiseProduct(late).sum();

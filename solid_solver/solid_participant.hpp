@@ -1,4 +1,4 @@
-// The solid as a participant of a coupled run.
+// The solid solver as a participant of a coupled run.
 #pragma once
 
 #include <limits>
@@ -13,9 +13,10 @@
 
 namespace cosurge {
 
-/// Takes loads to the unknowns of a model by H^T, sub-cycles, and gives the motion back by H. The load of a
-/// window is held, or ramped from the last window's (docs/method_solid.md, S14 to S16). Sets no largest
-/// window: a model sub-cycles through any.
+/// Maps the loads to the unknowns of a model by H^T, advances the model in sub-steps, and maps the motion to
+/// the points by H. The load of a window is held, or ramped from that of the last window
+/// (docs/method_solid.md, S14 to S16). It sets no stability limit for the window, because models take
+/// sub-steps; window_of() limits it for accuracy.
 class SolidParticipant : public Solid {
  public:
   Identity identity() const override;
@@ -49,13 +50,13 @@ class SolidParticipant : public Solid {
   int dimension_ = 0;
   double dry_window_ = std::numeric_limits<double>::infinity();  // longest window without load [s]
   double wet_window_ = std::numeric_limits<double>::infinity();  // longest window under load [s]
-  double frequency_ = 0;                                         // of the slowest oscillation [rad/s]
+  double frequency_ = 0;  // of the slowest oscillation of the structure [rad/s]
   Exchange exchange_ = {.ramped = false, .end_velocity = false, .modes = 0};
   Interpolation H_;
   Probes probes_;
 
   Field displacement_;         // displacement of the nodes at the end of the last window
-  Field load_;                 // on the nodes in the last window
+  Field load_;                 // load on the nodes in the last window [N]
   double interface_work_ = 0;  // work of the loads on the nodes since the start [J]
   std::optional<PointModes> modes_;
   std::string remembered_;  // state at the start of a window that may be repeated

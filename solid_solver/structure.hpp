@@ -18,11 +18,11 @@ struct Body {
   std::vector<Shape<dim>> clamps;      ///< regions in which the body is extended and fixed
   std::vector<Support<dim>> supports;  ///< regions in which it is fixed along some axes
   bool held;                           ///< by clamps, supports or springs, or as a fixed rigid body
-  Motion<dim> carrier;  ///< motion of what holds the body; the initial velocity if nothing does
+  Motion<dim> carrier;  ///< motion of what holds the body; its initial velocity if nothing holds it
   Vec<dim> velocity;    ///< initial velocity of the model `sprung` [m/s]
 };
 
-/// Explicit particles, whatever pulls them.
+/// Parameters of all models of explicit particles.
 struct ParticleParameters {
   double re;             ///< effective radius [l0]
   double step_fraction;  ///< sub-step as a share of the stable step

@@ -1,4 +1,4 @@
-// A solid model around another one.
+// Base class of models that wrap another model.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,7 @@
 
 namespace cosurge {
 
-/// Forwards to the model inside; wrappers override the functions that they change.
+/// Forwards all calls to the wrapped model; derived classes override those that they change.
 class WrappedModel : public SolidModel {
  public:
   explicit WrappedModel(std::unique_ptr<SolidModel> model) : model_(std::move(model)) {}

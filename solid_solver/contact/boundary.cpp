@@ -20,7 +20,7 @@ void turn(typename Shape<dim>::Facet& facet) {
   std::swap(facet[0], facet[1]);
 }
 
-/// Volume times dim!: positive if all facets face outwards.
+/// Volume times dim!, positive if all facets face outwards.
 template <int dim>
 double signed_volume(const Facets<dim>& facets, const Vec<dim>& origin) {
   double sum = 0;
@@ -98,7 +98,7 @@ void split(const std::array<int, 3>& corner, const std::array<int, 3>& middle, T
     for (std::size_t k = 0; k < 3; ++k) into.push_back({corner[k], middle[k], middle[(k + 2) % 3]});
     return into.push_back(middle);
   }
-  std::size_t k = 0;  // count 1: the edge that is split; count 2: the first of the two that follow each other
+  std::size_t k = 0;  // edge to split; if two edges are split, the first of two consecutive ones
   while (middle[k] < 0 || (count == 2 && middle[(k + 1) % 3] < 0)) ++k;
   const std::size_t l = (k + 1) % 3, m = (k + 2) % 3;
   if (count == 1) {
@@ -110,10 +110,10 @@ void split(const std::array<int, 3>& corner, const std::array<int, 3>& middle, T
   into.push_back({corner[k], middle[l], corner[m]});
 }
 
-/// Long edges are halved until there are none; whether one is, its two triangles agree on.
+/// Halves long edges until there are none. Both triangles at an edge decide alike whether it is long.
 void refine(Vertices<3>& vertices, Triangles& triangles, double longest) {
   const auto middle_of = [&](int a, int b) {
-    // Copies: a new number may move the vertices.
+    // Copies, because adding a vertex may move the array.
     const Vec<3> from = vertices.all[static_cast<std::size_t>(std::min(a, b))];
     const Vec<3> to = vertices.all[static_cast<std::size_t>(std::max(a, b))];
     return (to - from).norm() > longest * (1 + 1e-9) ? vertices.number(0.5 * (from + to)) : -1;

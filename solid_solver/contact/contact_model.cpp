@@ -10,12 +10,13 @@
 namespace cosurge::contact {
 namespace {
 
-// omega dt of the fastest motion that springs of contact cause: 12 sub-steps a swing, explicit ones are
+// omega dt of the fastest motion that contact springs cause: 12 sub-steps per oscillation; explicit steps are
 // stable up to 2.
 constexpr double resolved = 0.5;
-// A sub-step of explicit models beside springs: with the whole stable step, 2^2 0.9^2 + 0.5^2 < 2^2.
+// Sub-step of explicit models with contact, as a share of the stable one: (omega dt)^2 is then at most
+// 2^2 0.9^2 + 0.5^2 < 2^2.
 constexpr double beside_springs = 0.9;
-constexpr double fall = 0.03;          // longest way in a sub-step at the fall speed [spacings]
+constexpr double fall = 0.03;          // [spacings] longest way at the fall speed in a sub-step
 constexpr double windows_share = 0.1;  // longest sub-step, as a share of the longest window
 constexpr double foresight = 3;        // search distance [way in a window at the last velocity]
 constexpr double rounding = 1e-9;      // smallest depth of a contact [reach]
@@ -46,7 +47,7 @@ ContactModel<dim>::ContactModel(std::unique_ptr<SolidModel> model, const Structu
   ramp_increment_ = Field::Zero(dim, model_->nodes());
 }
 
-/// Positions of all vertices at the end of the last window, t [s]; held ones move with what holds them.
+/// Positions of all vertices at the end of the last window, t [s]; held vertices move with their carrier.
 template <int dim>
 Field ContactModel<dim>::positions(double t) const {
   Field x = neighborhood_.vertices() + model_->displacement() * H_.transpose();
@@ -67,7 +68,7 @@ Field ContactModel<dim>::velocities(double t) const {
   return u;
 }
 
-/// Calls visit(v, motion, X) for the held vertices whose holder moves.
+/// Calls visit(v, motion, X) for the held vertices whose carrier moves.
 template <int dim>
 template <typename Visit>
 void ContactModel<dim>::each_carried(const Visit& visit) const {
@@ -114,8 +115,8 @@ int ContactModel<dim>::advance(const Window& window, const NodalLoad& load) {
   return taken;
 }
 
-/// A sub-step from `before`, `share` of the window. The forces are those at the instant of the sub-step where
-/// they change no energy of a spring (S45).
+/// Computes a sub-step that begins after the share `before` of the window and takes `share` of it. The
+/// contact forces are those at the instant at which they conserve the energy of the springs (S45).
 template <int dim>
 int ContactModel<dim>::step(const Window& part, const NodalLoad& load, double before, double share) {
   const double instant = model_->force_instant(), ahead = instant * part.size;
@@ -129,7 +130,7 @@ int ContactModel<dim>::step(const Window& part, const NodalLoad& load, double be
   const Field start = model_->displacement();
   const int taken = model_->advance(part, {.first = at(before), .last = at(before + share)});
   const Field moved = model_->displacement() - start;
-  // The force acts at its instant: half on the way that led there, half on the way from there.
+  // The force acts at its instant: half of it over the way before this instant, half over the way after it.
   const Field way = moved + (0.5 - instant) * (part.size * nodal_v - moved);
   work_ += force.cwiseProduct(way).sum();
   ramp_increment_ += before * moved + share * model_->ramp_increment();

@@ -8,11 +8,10 @@
 
 namespace cosurge::contact {
 
-/// Any model, with frictionless contact around it (docs/method_solid.md, section 12). Vertices of the bodies'
-/// boundaries that are beyond a facet or a wall are pressed back by springs on their area, with energies k
-/// g^2 / 2. While anything touches or can touch in the window, the window is computed in sub-steps with
-/// constant forces of the springs. If nothing is near, the model computes the window as without contact, with
-/// bit-identical results.
+/// Any model with frictionless contact (docs/method_solid.md, section 12). Vertices of the bodies' boundaries
+/// that are beyond a facet or a wall are pushed back by springs with the energy k A g^2 / 2 (S44). While
+/// anything touches or can touch in the window, the window is computed in sub-steps with constant spring
+/// forces. If nothing is near, the model computes the window as without contact, with bit-identical results.
 template <int dim>
 class ContactModel : public WrappedModel {
  public:
@@ -22,8 +21,8 @@ class ContactModel : public WrappedModel {
   int advance(const Window& window, const NodalLoad& load) override;
   Field ramp_increment() const override { return touching_ ? ramp_increment_ : model_->ramp_increment(); }
 
-  /// The springs' energy, their work on the bodies so far, the mean of what tank and obstacles press with in
-  /// the window, and the vertices that are pressed at its end.
+  /// Energy of the springs, their work on the bodies so far, the mean force of tank and obstacles in the
+  /// window, and the number of vertices in contact at its end.
   std::vector<Column> columns() const override;
   std::vector<double> values() const override;
   std::vector<std::string> take_notes() override;
@@ -50,21 +49,21 @@ class ContactModel : public WrappedModel {
 
   Neighborhood<dim> neighborhood_;
   Interpolation H_;                   // for the boundaries' vertices; rows of held vertices are empty
-  std::vector<Motion<dim>> carrier_;  // motion of each body's holder
-  double step_;                       // longest while bodies touch [s]
+  std::vector<Motion<dim>> carrier_;  // motion of each body's carrier
+  double step_;                       // longest sub-step while bodies touch [s]
   std::vector<double> stiffness_;     // stiffness of each body over its area [N/m^dim]; empty: unknown
 
-  bool touching_ = false;                // whether the last window went through in sub-steps
-  Field ramp_increment_;                 // in a window with sub-steps
-  double energy_ = 0;                    // [J]
-  double work_ = 0;                      // [J]
-  double pressed_ = 0;                   // vertices
-  Vec<dim> load_ = Vec<dim>::Zero();     // [N]
-  std::vector<std::array<int, 2>> met_;  // body and what it has touched so far
+  bool touching_ = false;                // whether the last window was computed in sub-steps
+  Field ramp_increment_;                 // of the last window, if it was computed in sub-steps
+  double energy_ = 0;                    // energy of the springs [J]
+  double work_ = 0;                      // work of the springs on the bodies [J]
+  double pressed_ = 0;                   // number of vertices in contact
+  Vec<dim> load_ = Vec<dim>::Zero();     // mean force of tank and obstacles in the last window [N]
+  std::vector<std::array<int, 2>> met_;  // pairs (body, other object) that have touched
   std::vector<std::string> notes_;
 };
 
-/// The model with contact, or as it is where its bodies cannot move or there is nothing to touch.
+/// Adds contact to a model, unless its bodies cannot move or there is nothing to touch.
 template <int dim>
 std::unique_ptr<SolidModel> with_contact(std::unique_ptr<SolidModel> model, const Structure<dim>& structure,
                                          const Surroundings<dim>& surroundings);

@@ -11,7 +11,7 @@ template <int dim>
 struct Nearest {
   double gap;                     ///< distance from the boundary, negative inside [m]
   Vec<dim> normal;                ///< unit normal, outwards: d gap / d x
-  int facet;                      ///< that the nearest point lies on
+  int facet;                      ///< facet with the nearest point
   std::array<double, dim> share;  ///< shares of its vertices in the nearest point; their sum is one
 };
 
@@ -21,13 +21,14 @@ class FacetSearch {
  public:
   /// @param position of the boundary's vertices now [m], dimension x vertices
   /// @param reach how far away a facet is found [m]
-  /// @param region where points will be asked for: facets farther than `reach` from it are left out
+  /// @param region of the query points: facets farther than `reach` from it are left out
   FacetSearch(const Boundary<dim>& boundary, const Eigen::Ref<const Field>& position, double reach,
               const Box<dim>& region);
 
-  /// Nothing where no facet is within reach. Inside and outside are told by the normals of the facets around
-  /// the nearest point, at edges their sum and at vertices that weighted with the facets' angles (Baerentzen
-  /// & Aanaes 2005, IEEE Trans. Vis. Comput. Graph. 11, 243).
+  /// The nearest point of the boundary; nothing if no facet is within reach. Inside and outside are
+  /// determined by the normals of the facets around the nearest point: at edges by their sum, at vertices by
+  /// their sum weighted with the angles of the facets (Baerentzen & Aanaes 2005, IEEE Trans. Vis. Comput.
+  /// Graph. 11, 243).
   std::optional<Nearest<dim>> nearest(const Vec<dim>& x) const;
 
  private:

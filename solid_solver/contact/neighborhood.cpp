@@ -14,8 +14,8 @@ constexpr double touching = 1e-6;  // [spacings] gap that rounding leaves betwee
 // reaches from wall to wall slides along the walls and bulges slightly towards them; this is not an impact.
 constexpr double play = 0.05;
 
-// Shares of the stiffness: a flat contact of two bodies is pressed from both sides, and each body's vertices
-// count in both.
+// Shares of the stiffness: in a flat contact the vertices of both sides press on the facets of the other
+// side, and the vertices of each body count in both directions.
 constexpr double beside_obstacle = 0.5;
 constexpr double beside_body = 0.25;
 
@@ -123,7 +123,7 @@ void Neighborhood<dim>::add_walls(const Field& x, double t, Touches& touches) co
   }
 }
 
-/// Both ways around: the body's vertices on the obstacle's facets, and the other way.
+/// Tests the body's vertices against the obstacle's facets, and the obstacle's vertices against the body's.
 template <int dim>
 void Neighborhood<dim>::add_obstacle(int o, int b, const Field& x, double t, Touches& touches) const {
   const ObstacleBoundary<dim>& obstacle = obstacles_[o];
@@ -246,13 +246,13 @@ const std::vector<double>& Neighborhood<dim>::rest_gaps(int pressing, int presse
   return found->second;
 }
 
-/// Whether a body is held by clamps or supports; walls and obstacles are.
+/// Whether an object cannot move freely: a body with clamps or supports, a wall or an obstacle.
 template <int dim>
 bool Neighborhood<dim>::clamped(int name) const {
   return body_of(name) < 0 || clamped_[static_cast<std::size_t>(body_of(name))] != 0;
 }
 
-/// The gap at which a pair begins to touch that had the gap `at_start` where it is drawn [m].
+/// The gap at which a pair of objects begins to touch [m], if its gap is `at_start` in the undeformed scene.
 template <int dim>
 double Neighborhood<dim>::rest_gap(double at_start, bool clamped) const {
   if (at_start > touching * spacing_) return 0;

@@ -12,16 +12,18 @@
 
 namespace cosurge::contact {
 
-/// Floor and walls of the tank, obstacles, moving ones too, and the bodies themselves. Vertices of a body
-/// meet walls and the facets of others; vertices of obstacles and of other bodies meet its facets, so that no
-/// side's corners are missed. Gaps that are negative where they are drawn count from there; where clamps or
-/// supports hold the bodies, what touches where it is drawn has a small share of the spacing as play.
+/// Finds contacts with the floor and the walls of the tank, with obstacles at rest or in motion, and between
+/// bodies (docs/method_solid.md, section 12). Vertices of a body are tested against walls and against the
+/// facets of other objects; vertices of obstacles and other bodies are tested against its facets, so that no
+/// corner is missed. Gaps that are negative at the start are measured from there. Objects that touch at the
+/// start may approach by a small share of the spacing before they touch if the bodies have clamps or
+/// supports.
 template <int dim>
 class Neighborhood {
  public:
   using Touches = std::vector<Touch<dim>>;
 
-  /// The spacing of the structure is the longest edge of facets.
+  /// Facets have edges of at most the spacing of the structure.
   Neighborhood(const Structure<dim>& structure, const Surroundings<dim>& surroundings);
 
   int bodies() const { return static_cast<int>(boundaries_.size()); }
@@ -30,15 +32,16 @@ class Neighborhood {
   const std::vector<int>& body() const { return body_; }     ///< body of each vertex
   const std::vector<double>& area() const { return area_; }  ///< area of each vertex [m^(dim-1)]
 
-  /// Which vertices their bodies hold: they press on nothing. None, unless it is called.
+  /// Sets which vertices are held by their bodies and have no contact; by default none.
   void hold(std::vector<char> held) { held_ = std::move(held); }
 
   bool held(Eigen::Index vertex) const { return held_[static_cast<std::size_t>(vertex)] != 0; }
 
-  /// Objects farther from each other do not touch [m]: also the largest depth at which contact is found.
+  /// Distance beyond which objects do not touch, and largest depth at which contact is found [m].
   double reach() const { return reach_; }
 
-  /// All places with a gap below the reach, in an order that only the positions tell.
+  /// All pairs of a vertex and a facet or wall with a gap below the reach. Their order depends on the
+  /// positions only.
   /// @param x of the vertices at time t [m]
   Touches within_reach(const Field& x, double t) const;
 
@@ -49,13 +52,13 @@ class Neighborhood {
   int body_of(int other) const { return other < first_body() ? -1 : other - first_body(); }
 
  private:
-  /// Vertices that press, where the facets are that they press on.
+  /// Vertices that are tested, in the frame of the facets.
   struct Pressing {
     int body;  // -1: an obstacle
     const Boundary<dim>& boundary;
     Field x;
   };
-  /// Facets that are pressed on.
+  /// Facets against which vertices are tested.
   struct Pressed {
     int body;  // -1: an obstacle
     const Boundary<dim>& boundary;
@@ -81,12 +84,12 @@ class Neighborhood {
   bool all_held(const Touch<dim>& touch) const;
 
   double spacing_, reach_;
-  std::vector<TankWalls<dim>> tank_;  // none without water
+  std::vector<TankWalls<dim>> tank_;  // empty without water
   std::vector<ObstacleBoundary<dim>> obstacles_;
   std::vector<Shape<dim>> shapes_;  // shape of each body
   std::vector<char> clamped_;       // whether clamps or supports hold each body
   std::vector<Boundary<dim>> boundaries_;
-  std::vector<Eigen::Index> first_;  // vertex of each body, and their number
+  std::vector<Eigen::Index> first_;  // first vertex of each body, and the number of vertices
   Field reference_;
   std::vector<int> body_;
   std::vector<double> area_;
@@ -94,7 +97,7 @@ class Neighborhood {
   mutable std::map<std::pair<int, int>, std::vector<double>> rest_gaps_;  // by name: pressing, pressed
 };
 
-/// d gap / dt [m/s] where the vertices move with v, dimension x vertices.
+/// d gap / dt [m/s] if the vertices move with the velocities v, dimension x vertices [m/s].
 template <int dim>
 double rate(const Touch<dim>& touch, const Field& v) {
   double sum = touch.prescribed_rate;

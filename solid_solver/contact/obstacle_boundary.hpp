@@ -1,4 +1,4 @@
-// An obstacle, at rest or in a prescribed motion, as bodies touch it.
+// The surface of an obstacle, at rest or in a prescribed motion, for contact with bodies.
 #pragma once
 
 #include <memory>
@@ -17,7 +17,7 @@ class ObstacleBoundary {
   ObstacleBoundary(const Shape<dim>& shape, const Motion<dim>& motion, double longest, double reach)
       : shape_(shape), motion_(motion), longest_(longest), reach_(reach) {}
 
-  const Shape<dim>& shape() const { return shape_; }  ///< where it is at the start
+  const Shape<dim>& shape() const { return shape_; }  ///< undeformed, at t = 0
   const Motion<dim>& motion() const { return motion_; }
 
   /// Facets and their grid where the obstacle is at the start; made when they are first asked for.
@@ -30,7 +30,7 @@ class ObstacleBoundary {
     return *search_;
   }
 
-  /// A box around it at time t.
+  /// A box that contains the obstacle at time t [s].
   Box<dim> box(double t) const {
     const Box<dim>& start = shape_.bounds();
     if (!motion_.moves()) return start;

@@ -1,4 +1,4 @@
-// Floor and side walls of the tank, as bodies touch them.
+// Floor and side walls of the tank, for contact with bodies.
 #pragma once
 
 #include <string>
@@ -8,7 +8,8 @@
 
 namespace cosurge::contact {
 
-/// Planes that move with the tank. Side walls end at its open top; what has come over it is beyond them.
+/// Planes that move with the tank. Side walls end at its open top: a vertex that has passed above it does not
+/// touch them.
 template <int dim>
 class TankWalls {
  public:
@@ -19,15 +20,14 @@ class TankWalls {
   /// Planes of the tank, from their initial positions.
   const Motion<dim>& motion() const { return motion_; }
 
-  /// Distance of a point from the wall, negative beyond it, where both are taken back to where the tank was
-  /// at the start [m].
+  /// Distance of a point from the wall [m], negative beyond it, in the tank's initial position.
   double gap(int wall, const Vec<dim>& x) const {
     const int k = axis(wall);
     if (wall > 0 && x[dim - 1] > tank_.max[dim - 1]) return tank_.max[k] - tank_.min[k];
     return upper(wall) ? tank_.max[k] - x[k] : x[k] - tank_.min[k];
   }
 
-  /// Into the tank, at the start.
+  /// Unit normal into the tank at t = 0.
   Vec<dim> normal(int wall) const { return (upper(wall) ? -1 : 1) * Vec<dim>::Unit(axis(wall)); }
 
   std::string name(int wall) const {

@@ -1,4 +1,4 @@
-// A place where a body is near something, or presses on it.
+// A place where a body is near another object or touches it.
 #pragma once
 
 #include <array>
@@ -7,8 +7,8 @@
 
 namespace cosurge::contact {
 
-/// A vertex of one boundary beside a facet of another, or beside a wall. The distance between them depends on
-/// the body vertices of both: d gap / d x_j = weight_j normal. What moves as prescribed adds to its rate.
+/// A vertex of one boundary near a facet of another, or near a wall. The gap depends on the vertices of both
+/// bodies: d gap / d x_j = weight_j normal. Prescribed motions add to its rate.
 template <int dim>
 struct Touch {
   static constexpr int most = dim + 1;
@@ -19,7 +19,7 @@ struct Touch {
   Vec<dim> normal;               ///< unit normal
   Vec<dim> place;                ///< position of the vertex [m]
   double area;                   ///< area of the vertex [m^(dim-1)]
-  double share;                  ///< share of the stiffness per area; both sides of a contact have a part
+  double share;                  ///< factor on the stiffness per area, because both sides of a contact press
   double prescribed_rate;        ///< d gap / dt by prescribed motions [m/s]
   std::array<int, most> vertex;  ///< vertices of the bodies, -1: none
   std::array<double, most> weight;

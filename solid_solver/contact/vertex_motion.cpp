@@ -23,7 +23,7 @@ std::vector<char> in_clamps(const Structure<dim>& structure, const Field& positi
   return held;
 }
 
-/// The rows one by one, with those of the nearest vertices of the same body for those that have none.
+/// The matrix rows one by one; an empty one is replaced by that of the nearest vertex of the same body.
 Interpolation row_by_row(const SolidModel& model, const Field& position, const std::vector<int>& body) {
   std::vector<Eigen::Index> source(body.size(), -1);
   for (Eigen::Index v = 0; v < position.cols(); ++v) {
@@ -81,7 +81,7 @@ std::vector<double> fastest_per_stiffness(const SolidModel& model, const Interpo
                                           int bodies, int dimension) {
   std::vector<double> fastest(static_cast<std::size_t>(bodies), 0.0);
   const Eigen::Map<const Eigen::ArrayXd> areas(area.data(), static_cast<Eigen::Index>(area.size()));
-  // All bodies at once: none moves another.
+  // All bodies at once, because their motions are independent.
   Field x(dimension, H.rows());
   for (Eigen::Index k = 0; k < x.size(); ++k) x.data()[k] = 1 + 0.5 * std::sin(1.7 * static_cast<double>(k));
   for (int k = 0; k < iterations; ++k) {

@@ -8,9 +8,10 @@
 
 namespace cosurge::contact {
 
-/// H of the vertices (SolidModel::interpolation). One that its model does not reach, at a spike between its
-/// particles, follows the nearest one that it does. Those in or on a clamp have an empty row: they are held.
-/// @param position of the vertices [m], dimension x vertices; `body` of each
+/// The matrix H of the vertices (SolidModel::interpolation). A vertex that its model does not reach, such as
+/// a spike between particles, follows the nearest vertex that it reaches. Vertices in or on a clamp are held
+/// and have an empty matrix row. @param position of the vertices [m], dimension x vertices; `body` of each
+/// vertex
 template <int dim>
 Interpolation vertex_interpolation(const SolidModel& model, const Structure<dim>& structure,
                                    const Field& position, const std::vector<int>& body);
@@ -18,8 +19,9 @@ Interpolation vertex_interpolation(const SolidModel& model, const Structure<dim>
 /// Which rows of H are empty.
 std::vector<char> empty_rows(const Interpolation& H);
 
-/// For each body: largest eigenvalue of the vertices' accelerations by springs of stiffness `area` on all its
-/// vertices [m^(dim-1)/kg]. Power iteration from below, exact to about a tenth.
+/// For each body: the largest eigenvalue of the acceleration of its vertices by springs with the stiffness
+/// `area` on all of them [m^(dim-1)/kg] (docs/method_solid.md, section 12). Found by power iteration from
+/// below, to about a tenth.
 std::vector<double> fastest_per_stiffness(const SolidModel& model, const Interpolation& H,
                                           const std::vector<double>& area, const std::vector<int>& body,
                                           int bodies, int dimension);

@@ -12,7 +12,7 @@
 namespace cosurge {
 namespace {
 
-/// Makes the model that the alternative of Structure::model stands for.
+/// Creates the model of the alternative that Structure::model holds.
 template <int dim>
 struct Maker {
   const Structure<dim>& structure;

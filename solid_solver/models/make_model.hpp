@@ -1,4 +1,4 @@
-// The one switch from a structure to its model.
+// Creates the structural model that a case selects.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,7 @@
 
 namespace cosurge {
 
-/// @throws Error for what the model refuses.
+/// @throws Error for a structure that the model does not support.
 template <int dim>
 std::unique_ptr<SolidModel> make_model(const Structure<dim>& structure);
 

@@ -6,7 +6,7 @@
 namespace cosurge {
 namespace {
 
-constexpr double far = 100;  // times the extent of all bodies: two of a double's 16 digits
+constexpr double far = 100;  // times the extent of all bodies: loses two of a double's 16 digits
 
 template <int dim>
 Box<dim> bounds_of_bodies(const Structure<dim>& structure) {

@@ -9,17 +9,17 @@
 
 namespace cosurge {
 
-/// Where coordinates of the bodies are counted from [m], nothing where their own origin serves: bodies more
-/// than a hundred times as far from it as they are large lose digits. A multiple of the spacing.
+/// Origin of the coordinates for bodies that are more than a hundred times as far from the scene's origin as
+/// their size and would lose digits [m]; a multiple of the spacing. Nothing if the scene's origin serves.
 template <int dim>
 std::optional<Vec<dim>> origin_near_bodies(const Structure<dim>& structure);
 
-/// The structure with its bodies, their clamps and supports, and pivots counted from `origin`; carriers move
-/// as before.
+/// The structure with bodies, clamps, supports and pivots relative to `origin`; the motions of carriers are
+/// the same.
 template <int dim>
 Structure<dim> relocated(const Structure<dim>& structure, const Vec<dim>& origin);
 
-/// Result of `work`; messages of its errors say that their coordinates are relative to `origin`.
+/// Returns the result of `work`; messages of its errors state the origin of their coordinates.
 template <typename Work>
 auto saying_origin(const Eigen::VectorXd& origin, const Work& work) {
   const auto said = [&](const std::exception& error) {
@@ -35,8 +35,7 @@ auto saying_origin(const Eigen::VectorXd& origin, const Work& work) {
   }
 }
 
-/// Runs a model of the relocated structure on positions of the case. Messages say what their coordinates
-/// mean.
+/// Runs a model of the relocated structure on positions in the coordinates of the case.
 class RelocatedModel : public WrappedModel {
  public:
   RelocatedModel(std::unique_ptr<SolidModel> model, const Eigen::VectorXd& origin);

@@ -10,10 +10,10 @@
 namespace cosurge::automatic {
 namespace {
 
-constexpr double limit = 0.02;         // of nonlinearity and truncation
-constexpr double small = 0.5 * limit;  // of both, for a return to modes
-constexpr double lost = 1e-3;     // largest part of displacement and energy so far that a return may lose
-constexpr int most_windows = 20;  // between two measurements
+constexpr double limit = 0.02;         // of nonlinearity and of truncation
+constexpr double small = 0.5 * limit;  // both below it: modes are used again
+constexpr double lost = 1e-3;     // largest share of displacement and energy that a return to modes may lose
+constexpr int most_windows = 20;  // largest number of windows between two measurements
 // A measurement is repeated when the displacement has grown by this factor, or so far that the limit may be
 // near: both values are at most proportional to it.
 constexpr double least_growth = 1.1, most_growth = 10, share = 0.5;
@@ -31,8 +31,9 @@ double largest_force(const NodalLoad& load) {
 
 double ratio(double part, double whole) { return whole > 0 ? part / whole : 0; }
 
-/// Difference of the nonlinear from the linear displacement under the same forces, over the latter. While
-/// elements compute, the estimate is enough: it only delays the return to modes.
+/// Displacement difference of the nonlinear from the linear solution under the same forces, over the latter
+/// (S48). While elements compute, the estimate by one Newton step is used: it can only delay the return to
+/// modes.
 template <int dim>
 double nonlinearity(const fem::FemBody<dim>& body, const LinearTheory<dim>& theory, const fem::Vector& u,
                     bool by_elements) {
@@ -113,7 +114,7 @@ void AutomaticModel<dim>::measure(const Vectors& displacements, const NodalLoad&
   watch_.windows = 0;
 }
 
-/// What is wrong with the modes; empty if nothing is.
+/// The reason why the modes are not valid; empty if they are.
 template <int dim>
 std::string AutomaticModel<dim>::exceeded() const {
   if (watch_.nonlinearity > limit)
@@ -157,7 +158,7 @@ void AutomaticModel<dim>::take_modes_if_valid(const Window& window, const NodalL
                   window.start, period_));
 }
 
-/// Whether the modes have nearly all of the motion of the elements, whose displacements are u.
+/// Whether the modes contain nearly the whole motion of the elements, with the displacements u.
 template <int dim>
 bool AutomaticModel<dim>::loses_little(const Vectors& u) {
   const Vectors kept = modal_.displacements();

@@ -11,11 +11,11 @@
 
 namespace cosurge::automatic {
 
-/// Computes with `modal` as long as its two assumptions hold, and with `fem` on the same elements otherwise
-/// (docs/method_solid.md, section 14): nonlinearity, the difference of the displacement from the nonlinear
-/// one under the same forces, and truncation, the part of the static deflection that the modes do not have,
-/// both over the largest displacement. A window in which nonlinearity exceeds its limit, or in which
-/// truncation has done so for a period, is computed again by `fem`, from the state at its start. `modal`
+/// Computes with `modal` as long as its two assumptions hold, and otherwise with `fem` on the same elements
+/// (docs/method_solid.md, section 14). The assumptions are measured relative to the largest displacement:
+/// nonlinearity, the difference from the nonlinear displacement under the same forces, and truncation, the
+/// part of the static deflection that the modes lack. A window in which nonlinearity exceeds its limit, or
+/// truncation has exceeded it for a period, is computed again by `fem`, from the state at its start. `modal`
 /// takes over again after both have been small for a period. Bodies that can move as a whole are computed by
 /// `fem`.
 template <int dim>
@@ -39,7 +39,7 @@ class AutomaticModel : public SolidModel {
   double max_speed() const override { return active().max_speed(); }
   Energies energies() const override { return active().energies(); }
 
-  /// Those of held bodies; of free ones the model has none, as `fem`.
+  /// Modes of held bodies; none of free ones, as for `fem`.
   std::vector<NodalMode> modes(int count) const override;
 
   /// `model`: 0 for `modal`, 1 for `fem`; nonlinearity and truncation when they were last measured.
@@ -60,16 +60,16 @@ class AutomaticModel : public SolidModel {
   struct Watch {
     double nonlinearity = 0;
     double truncation = 0;
-    double energy = 0;              // elastic energy from which on it is repeated [J]
-    double force = 0;               // the same for the largest force on a node [N]
-    int windows = 0;                // since then
-    double quiet = 0;               // for how long both have been small [s]
-    double lacking = 0;             // for how long truncation has exceeded its limit [s]
+    double energy = 0;              // elastic energy at which it is repeated [J]
+    double force = 0;               // largest force on a node at which it is repeated [N]
+    int windows = 0;                // windows since the measurement
+    double quiet = 0;               // time for which both have been small [s]
+    double lacking = 0;             // time for which truncation has exceeded its limit [s]
     double energy_before = 0;       // largest kinetic and elastic energy while elements computed [J]
     fem::Vector deflection = {};    // largest static deflection of each body so far [m]
     fem::Vector displacement = {};  // largest displacement of each body while elements computed [m]
 
-    /// Visits all that a saved state has of it, in its order.
+    /// Visits all members of a saved state, in its order.
     template <typename Self, typename Visit>
     static void each(Self& self, Visit&& visit) {
       visit(self.nonlinearity);
@@ -98,10 +98,10 @@ class AutomaticModel : public SolidModel {
 
   Structure<dim> structure_;
   AutomaticParameters parameters_;
-  modal::ModalModel<dim> modal_;  // also owns the bodies of the theories
+  modal::ModalModel<dim> modal_;  // its bodies are also those of theories_
   std::deque<LinearTheory<dim>> theories_;
-  std::optional<fem::FemModel<dim>> fem_;  // while it computes
-  bool only_elements_;                     // a body can move as a whole
+  std::optional<fem::FemModel<dim>> fem_;  // set while elements compute
+  bool only_elements_;                     // a body can move as a whole, so that modes are never used
   double period_ = 0;                      // longest of all bodies [s]
   Watch watch_;
   std::vector<std::string> notes_;

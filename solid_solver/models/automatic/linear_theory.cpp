@@ -20,7 +20,7 @@ fem::Vector LinearTheory<dim>::correction(const fem::Vector& u) const {
 template <int dim>
 std::optional<fem::Vector> LinearTheory<dim>::nonlinear(const fem::Vector& u) const {
   constexpr int most_iterations = 12;
-  constexpr double accurate = 1e-3;  // last change over the displacement
+  constexpr double accurate = 1e-3;  // tolerance: last change over the displacement
   const fem::Vector force = force_of(u);
   fem::Vector x = u;
   Eigen::SimplicialLDLT<fem::Matrix> tangent;

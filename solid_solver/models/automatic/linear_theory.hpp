@@ -15,8 +15,8 @@ class LinearTheory {
   /// @param body must outlive this. @throws NumericalError if the body can move as a whole.
   explicit LinearTheory(const fem::FemBody<dim>& body);
 
-  /// (S48) Change of a displacement [m] by one Newton step with K towards the nonlinear balance with the
-  /// forces K u. Too large for bodies that bend: it stretches them first.
+  /// (S48) Change of a displacement u [m] by one Newton step with K towards the nonlinear balance with the
+  /// forces K u. It is too large for bodies that bend, because the linear displacement stretches them.
   fem::Vector correction(const fem::Vector& u) const;
 
   /// The nonlinear displacement [m] under the forces K u, by Newton's method to 0.1 % of u; nothing if it

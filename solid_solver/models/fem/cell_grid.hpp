@@ -1,4 +1,4 @@
-// The cells of a grid that a shape keeps.
+// The cells of an even grid that fill a shape.
 #pragma once
 
 #include <array>
@@ -10,9 +10,9 @@
 
 namespace cosurge::fem {
 
-/// An even grid along the shape's own axes (shape_axes.hpp). A box keeps all cells; another shape those whose
-/// middles it contains. Nodes are those of quadratic elements, vertices and middles, and only of cells that
-/// are kept; they ascend, the first axis fastest.
+/// An even grid along the shape's own axes (shape_axes.hpp). For a box all cells are kept; for another shape
+/// those whose centres it contains. Nodes are those of quadratic elements, vertices and middles, of the kept
+/// cells only; they are numbered with the first axis fastest.
 template <int dim>
 class CellGrid {
  public:
@@ -33,7 +33,7 @@ class CellGrid {
   Vec<dim> position(Eigen::Index node) const;  ///< in the even grid [m]
   std::vector<Vec<dim>> positions() const;     ///< positions of all nodes
 
-  /// Cells around a node that are kept, and of how many.
+  /// Numbers of the cells around a node: kept ones, and all.
   struct Around {
     int kept = 0, all = 0;
   };
@@ -47,9 +47,10 @@ class CellGrid {
 
   Mat<dim> axes_;
   Vec<dim> origin_, side_;
-  CellBlock<dim> cells_, grid_;  // the second one of nodes
+  CellBlock<dim> cells_, grid_;  // blocks of the cells and of the nodes
   std::vector<char> kept_;
-  std::vector<Eigen::Index> used_, number_;  // nodes in the whole grid, and back
+  std::vector<Eigen::Index> used_;    // index of each node in the whole grid
+  std::vector<Eigen::Index> number_;  // number of the node at each index; -1: not used
   std::vector<char> outer_;
 };
 

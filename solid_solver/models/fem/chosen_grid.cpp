@@ -9,7 +9,7 @@
 namespace cosurge::fem {
 namespace {
 
-// A column of this many elements has five of them across, and the factors of its stiffness matrix take 0.13
+// A column of this many elements has five across its width, and its factorised stiffness matrix takes 0.13
 // GB. Three times as many elements take four times the memory and twenty times the time.
 constexpr double usual_elements = 250;
 constexpr double shorter = 0.8;  // factor on the side, where the elements cannot be fitted to the outline
@@ -26,7 +26,7 @@ FittedGrid<dim> chosen_grid(const Shape<dim>& shape, double longest, int body) {
     try {
       return FittedGrid<dim>(shape, side, body);
     } catch (const Error&) {
-      // The elements fall into parts, are turned inside out, or miss the volume: shorter ones may not.
+      // The elements fall into parts, are inverted or miss the volume: shorter ones may fit.
     }
   }
   return FittedGrid<dim>(shape, finest, body);

@@ -5,9 +5,9 @@
 
 namespace cosurge::fem {
 
-/// @param longest side of an element [m]; 0: it is chosen. A box then gets a third of its thickness, an
-/// outline a third of 2 volume / surface. In three dimensions an outline gets longer sides, with about 250
-/// elements, where the elements can be fitted to the outline with them.
+/// Makes the grid of a body with sides of at most `longest` [m]. If it is 0, a box gets a third of its
+/// thickness, and an outline a third of 2 volume / surface. In three dimensions an outline gets longer sides,
+/// about 250 elements, if these can be fitted to it.
 /// @param body its number, for messages
 /// @throws Error as FittedGrid does
 template <int dim>

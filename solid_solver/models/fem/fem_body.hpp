@@ -19,12 +19,12 @@ using Matrix = Eigen::SparseMatrix<double>;  ///< the lower triangle of a symmet
 template <int dim>
 class FemBody {
  public:
-  /// Forces of a displacement, and indicators of their validity.
+  /// Forces of a displacement, and measures of their validity.
   struct InternalForce {
-    Vector force;           ///< [N]
-    double gross;           ///< largest component of one element's force on a node: the scale of rounding [N]
+    Vector force;  ///< [N]
+    double gross;  ///< largest component of the force of one element on a node, for the rounding error [N]
     double least_volume;    ///< smallest det F: 0 and less where an element is turned inside out
-    Eigen::Index flattest;  ///< the element that has it
+    Eigen::Index flattest;  ///< element with the least volume
   };
 
   /// Largest values over the elements' nodes; over their Gauss points where they are fitted to an outline.
@@ -47,16 +47,18 @@ class FemBody {
   const Vector& weight() const { return weight_; }  ///< gravity's force [N]
   double elastic_energy(const Vector& u) const;     ///< [J]
   Vector momentum(const Vector& v) const;           ///< M v
-  Field inertia(const Field& acceleration) const;   ///< M a over all nodes, held ones too [N]
-  /// Largest force by which the stiffness of the undeformed body answers to one node's displacement [N/m].
+  Field inertia(const Field& acceleration) const;   ///< M a over all nodes, including held ones [N]
+  /// Largest entry of the stiffness of the undeformed body, a force per displacement of a node [N/m].
   double largest_stiffness() const { return tangent(Vector::Zero(unknowns())).diagonal().maxCoeff(); }
   Deformation deformation(const Vector& u) const;
 
-  /// Grad u in a point of an element, d u_i / d X_j [-]; of a fitted element in its part between Gauss points
-  /// that is nearest, as its corners may have none.
+  /// Grad u at a point of an element, d u_i / d X_j [-]. In an element that is fitted to an outline it is
+  /// evaluated at the nearest point of the region between the Gauss points, because the Jacobian may vanish
+  /// at corners.
   Mat<dim> displacement_gradient(const Vector& u, const typename Mesh<dim>::Place& place) const;
 
-  /// Values at the nodes, dimension x nodes, to and from unknowns; held nodes have none, and zero.
+  /// Values at the nodes, dimension x nodes, to and from unknowns. Held nodes have no unknowns, and the value
+  /// zero.
   Vector from_nodes(const Eigen::Ref<const Field>& values) const;
   Field to_nodes(const Vector& values) const;
 
@@ -93,7 +95,7 @@ class FemBody {
   void scatter(const Stiffness& part, Eigen::Index element, Matrix& whole) const;
 
   Elasticity material_;
-  bool linear_dilatation_;  // not in plane stress, where the thickness gives way
+  bool linear_dilatation_;  // not in plane stress, where the thickness can change
   Mesh<dim> mesh_;
   std::vector<Quadratures> quadratures_;  // for each element, or one if all are alike
   std::vector<Eigen::Index> component_;   // node * dim + axis of each unknown

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double whole = 1e-6;  // [sub-steps] tolerance: a window of 20.0000001 sub-steps has 20
 
-// Stretch of St. Venant-Kirchhoff's material under the largest pressure that it stands along one axis with
-// Poisson's ratio 0, 1 / sqrt(3).
+// Stretch at the largest compressive force that St. Venant-Kirchhoff's material bears along one axis, for
+// Poisson's ratio 0: 1 / sqrt(3).
 constexpr double gives_way = 0.577;
 
 }  // namespace

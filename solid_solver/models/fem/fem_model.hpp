@@ -8,7 +8,8 @@
 
 namespace cosurge::fem {
 
-/// Large deformation without a limit on the step: it takes the window, or solid.fem.substep.
+/// Finite elements for large deformation (docs/method_solid.md, section 5). There is no stability limit of
+/// the step: it is the window, or solid.fem.substep.
 template <int dim>
 class FemModel : public SolidModel {
  public:
@@ -23,7 +24,8 @@ class FemModel : public SolidModel {
   }
   double substep() const override { return substep_; }
 
-  /// Sub-step k of n sees the load at (k + 1 - alpha_f) / n of the window, where its forces are balanced.
+  /// The load of sub-step k of n is taken at (k + 1 - alpha_f) / n of the window, the instant of the balance
+  /// of forces (S25).
   int advance(const Window& window, const NodalLoad& load) override;
   Field displacement() const override { return bodies_.to_nodes(displacements()); }
   Field velocity() const override { return bodies_.to_nodes(velocities()); }
@@ -53,8 +55,9 @@ class FemModel : public SolidModel {
   void check_step(const NewtonReport& report, const Window& window, std::size_t body, double dt) const;
 
   MeshedBodies<dim> bodies_;
-  std::deque<GeneralisedAlpha<dim>> motions_;  // one per body; a deque, since they cannot be moved
-  double substep_;                             // 0: the window
+  std::deque<GeneralisedAlpha<dim>>
+      motions_;     // one per body; a deque, because they cannot be moved in memory
+  double substep_;  // [s]; 0: the window
   Vectors ramp_increment_;
   int iterations_ = 0;
 };

@@ -12,13 +12,13 @@
 namespace cosurge::fem {
 namespace {
 
-constexpr int sweeps = 30;          // of smoothing: moves reach about as many cells
+constexpr int sweeps = 30;          // of smoothing; a displacement spreads over about as many cells
 constexpr double most_bent = 0.2;   // largest offset of an edge's middle [edge lengths]
-constexpr double flattest = 0.002;  // least determinant of an element's Jacobian, over the even cell's
-constexpr double most_lost = 0.02;  // largest loss [volume]
+constexpr double flattest = 0.002;  // least determinant of an element's Jacobian, relative to the even cell's
+constexpr double most_lost = 0.02;  // largest error of the volume [volume]
 constexpr int most_halvings = 12;   // largest number of halvings of a vertex's move
 constexpr double alike = 1e-6;      // [cell sides] tolerance for equal distances
-constexpr double flat_way = 1.5;  // longest detour for a crease that is not an edge of the grid's surface [-]
+constexpr double flat_way = 1.5;    // [-] factor on lengths where the grid's surface has no edge
 constexpr Eigen::Index none = -1;
 
 /// Quality of an element, measured at its Gauss points.
@@ -38,7 +38,7 @@ Quality quality_of(const Eigen::Matrix<double, dim, QuadraticElement<dim>::nodes
   return quality;
 }
 
-/// Brings the nodes of a grid to an outline.
+/// Fits the nodes of a grid to an outline (docs/method_solid.md, section 5).
 template <int dim>
 class Fitting {
  public:
@@ -64,7 +64,7 @@ class Fitting {
  private:
   using Index = typename CellGrid<dim>::Index;
 
-  /// Another vertex, and the middle of the edge of elements between.
+  /// A neighbouring vertex, and the middle of the edge to it.
   struct Neighbour {
     Eigen::Index middle, vertex;
   };
@@ -80,7 +80,7 @@ class Fitting {
   void share_out_patches();
   Eigen::Index nearest_patch(const std::vector<Eigen::Index>& nodes);
   void smooth();
-  /// Position of a middle by the element's polynomial, and its surroundings.
+  /// Position of a middle by the element's polynomial, and data of its neighbours.
   struct Middle {
     Vec<dim> x = Vec<dim>::Zero();
     double length = std::numeric_limits<double>::infinity();  // length of the shortest edge through it
@@ -94,8 +94,8 @@ class Fitting {
   const CellGrid<dim>& grid_;
   OutlineFeatures<dim> features_;
   std::vector<Vec<dim>> x_;           // positions of the nodes
-  std::vector<char> fixed_;           // corners, and nodes on creases
-  std::vector<char> loose_;           // vertices that are not where they would fit
+  std::vector<char> fixed_;           // nodes at corners and on creases
+  std::vector<char> loose_;           // vertices that were moved back from the outline
   std::vector<Eigen::Index> patch_;   // patch of each outer vertex
   std::vector<Eigen::Index> pinned_;  // vertex of each corner
 };
@@ -112,7 +112,7 @@ std::vector<typename Fitting<dim>::Neighbour> Fitting<dim>::neighbours(Eigen::In
   return all;
 }
 
-/// The nearest outer vertex of the grid goes to each corner of the outline.
+/// Moves the nearest outer vertex of the grid to each corner of the outline.
 template <int dim>
 void Fitting<dim>::pin_corners() {
   const double margin = alike * grid_.side().minCoeff();
@@ -129,7 +129,7 @@ void Fitting<dim>::pin_corners() {
   }
 }
 
-/// The vertices of a way over the grid's surface from corner to corner share out a crease.
+/// Distributes the vertices of a path over the grid's surface, from corner to corner, evenly along a crease.
 template <int dim>
 void Fitting<dim>::pin_creases() {
   if constexpr (dim == 3) {
@@ -151,8 +151,9 @@ void Fitting<dim>::pin_creases() {
   }
 }
 
-/// The shortest way over the grid's surface between the vertices of a crease's ends, through vertices that
-/// are free (Dijkstra 1959). Ways are longer away from the crease, and where the surface has no edge.
+/// The shortest path over the grid's surface between the vertices at the ends of a crease, through vertices
+/// that are not fixed (Dijkstra 1959). Lengths are increased away from the crease, and where the surface has
+/// no edge.
 template <int dim>
 std::vector<typename Fitting<dim>::Neighbour> Fitting<dim>::way_along(const Crease& crease) {
   const Eigen::Index start = pinned_[crease.ends[0]], goal = pinned_[crease.ends[1]];
@@ -190,8 +191,8 @@ std::vector<typename Fitting<dim>::Neighbour> Fitting<dim>::way_along(const Crea
   return way;
 }
 
-/// Outer vertices that hang together between creases belong to the patch that they are nearest to, all
-/// together.
+/// Assigns each group of outer vertices that are connected between creases to the patch that is nearest to
+/// the whole group.
 template <int dim>
 void Fitting<dim>::share_out_patches() {
   std::vector<char> seen = fixed_;
@@ -219,7 +220,7 @@ Eigen::Index Fitting<dim>::nearest_patch(const std::vector<Eigen::Index>& nodes)
   return std::min_element(off.begin(), off.end()) - off.begin();
 }
 
-/// Vertices go to the mean of those that an edge of an element joins them to: outer ones along their patch.
+/// Moves vertices to the mean of their neighbours along edges; outer vertices stay on their patch.
 template <int dim>
 void Fitting<dim>::smooth() {
   std::vector<std::pair<Eigen::Index, std::vector<Eigen::Index>>> moves;
@@ -242,8 +243,8 @@ void Fitting<dim>::smooth() {
   }
 }
 
-/// From the nodes around it on its edge, face or cell; all ways to step off along some of the odd axes: -1,
-/// 0, 1 on each, not all 0.
+/// Evaluates the polynomial from the nodes around the middle on its edge, face or cell: all steps of -1, 0 or
+/// 1 along the odd axes, not all 0.
 template <int dim>
 typename Fitting<dim>::Middle Fitting<dim>::middle_at(const Index& at) const {
   Middle middle;
@@ -266,8 +267,8 @@ typename Fitting<dim>::Middle Fitting<dim>::middle_at(const Index& at) const {
   return middle;
 }
 
-/// Middles of edges (odd = 1), faces and cells: where the element's own polynomial has them, outer ones on
-/// their patch.
+/// Places the middles of edges (odd = 1), faces and cells where the element's polynomial has them; outer ones
+/// go to their patch.
 template <int dim>
 void Fitting<dim>::place_middles(int odd) {
   for (Eigen::Index n = 0; n < grid_.nodes(); ++n) {
@@ -285,7 +286,8 @@ void Fitting<dim>::place_middles(int odd) {
   }
 }
 
-/// Vertices of elements that are too flat go half the way back to the even grid. Whether there were any.
+/// Moves the vertices of elements that are too flat half the way back to the even grid. Returns whether there
+/// were any.
 template <int dim>
 bool Fitting<dim>::loosen() {
   std::vector<char> flat(x_.size(), 0);

@@ -1,4 +1,4 @@
-// A grid of elements in a shape.
+// A grid of elements that fills a shape.
 #pragma once
 
 #include <vector>
@@ -9,9 +9,10 @@
 
 namespace cosurge::fem {
 
-/// Elements of second order. A box is divided evenly. Another shape gets the cells of a CellGrid; their outer
-/// nodes go to the outline and share it evenly, one of them to each of its corners and in space some along
-/// each of its sharp edges, and the others follow (docs/method_solid.md, section 5).
+/// Elements of second order. A box is divided evenly. Another shape gets the cells of a CellGrid, whose outer
+/// nodes are moved to the outline and distributed evenly on it: one node at each corner of the outline and,
+/// in space, nodes along each of its sharp edges. Inner nodes follow by smoothing (docs/method_solid.md,
+/// section 5).
 template <int dim>
 struct FittedGrid {
   using Element = QuadraticElement<dim>;
@@ -22,8 +23,8 @@ struct FittedGrid {
 
   /// @param longest side of an element [m]; 0 for a third of a box's thickness, or of 2 volume / surface
   /// @param body its number, for messages
-  /// @throws Error where elements are too many, fall apart, would be turned inside out, or miss 2 % of the
-  /// volume.
+  /// @throws Error if there are too many elements, if they are not connected or would be inverted, or if
+  /// their volume differs by more than 2 % from that of the shape.
   FittedGrid(const Shape<dim>& shape, double longest, int body);
 };
 

@@ -7,12 +7,13 @@
 namespace cosurge::fem {
 namespace {
 
-// Tolerance relative to stiffness times displacement. Rigid motions have forces of 4e-16 of it, and
-// accelerations are differences of displacements.
+// Tolerance relative to stiffness times displacement: forces of rigid motions have a rounding error of 4e-16
+// of it, and accelerations are differences of displacements.
 constexpr double rounding = 2e-14;
 constexpr int most_iterations = 30;
-constexpr double slow = 0.1;  // residual ratio of an iteration; a new tangent costs as much as ten
-constexpr double near = 0.1;  // relative change of the step up to which an old tangent is tried
+constexpr double slow = 0.1;  // residual ratio of an iteration above which a new tangent, as costly as ten
+                              // iterations, is computed
+constexpr double near = 0.1;  // relative change of the step size up to which an old tangent is tried
 
 double largest(const Vector& x) { return x.size() == 0 ? 0 : x.template lpNorm<Eigen::Infinity>(); }
 
@@ -67,7 +68,7 @@ template <int dim>
 NewtonReport GeneralisedAlpha<dim>::balance(const Vector& external, double dt, Tangent tangent, Vector& a) {
   const auto& [alpha_m, alpha_f, beta, gamma] = constants_;
   const Vector start = coasting(dt);
-  // From the displacement before: a stiff body's acceleration tells nothing of its next one.
+  // Starts from the previous displacement: the acceleration of a stiff body does not predict its next one.
   a = (u_ - start) / (beta * dt * dt);
   NewtonReport report{.iterations = 0, .residual = 0, .least_volume = 1, .flattest = 0, .converged = false};
   double before = std::numeric_limits<double>::infinity();
@@ -83,7 +84,7 @@ NewtonReport GeneralisedAlpha<dim>::balance(const Vector& external, double dt, T
     report.least_volume = internal.least_volume;
     report.flattest = internal.flattest;
     const double accepted = std::max(NewtonReport::tolerance * gross, rounding * stiffness_ * largest(u));
-    // One pass at least: forces that are small beside the gross ones move the body too.
+    // At least one iteration: forces that are small compared with the largest one move the body too.
     const bool settled = gross == 0 || (left <= accepted && report.iterations > 0);
     report.converged = settled && internal.least_volume > 0;
     if (settled || !std::isfinite(residual.sum()) || report.iterations == most_iterations) return report;
@@ -126,7 +127,7 @@ void GeneralisedAlpha<dim>::restore(StateReader& state) {
   for (Vector* values : {&u_, &v_, &a_, &tangent_at_}) state.get(*values);
   state.get(tangent_dt_);
   state.get(started_);
-  // The same bits as the factors that the state was saved with.
+  // Recomputes the factors, with the same bits as when the state was saved.
   if (tangent_dt_ > 0) factorize(Vector(tangent_at_), tangent_dt_);
 }
 

@@ -21,12 +21,12 @@ struct AlphaConstants {
         gamma(0.5 - alpha_m + alpha_f) {}
 };
 
-/// How a step's Newton iteration went.
+/// Result of the Newton iteration of a step.
 struct [[nodiscard]] NewtonReport {
   int iterations;
   double residual;        ///< over the largest force of the balance [-]
   double least_volume;    ///< smallest det F
-  Eigen::Index flattest;  ///< the element that has it
+  Eigen::Index flattest;  ///< element with the least volume
   bool converged;         ///< false as well where an element is turned inside out
 
   static constexpr double tolerance = 1e-10;  ///< relative residual
@@ -42,38 +42,40 @@ class GeneralisedAlpha {
   /// Where in a step, as a fraction of it, the load is taken.
   double load_instant() const { return 1 - constants_.alpha_f; }
 
-  /// The acceleration of the first step, in balance with the load [N] before it; later calls do nothing.
+  /// Sets the acceleration at the start of the first step, in balance with the load [N]; later calls do
+  /// nothing.
   void start(const Vector& load);
 
-  /// One step of dt [s] under a load [N] by Newton's method with a direct solver, until the residual is the
-  /// tolerance times the largest force, or the rounding error of the forces where the displacement is large
-  /// (a body that moves freely). The factors of the last tangent are kept while they converge. The state is
-  /// invalid if the report says that it did not converge.
+  /// One step of dt [s] under a load [N], by Newton's method with a direct solver. It converges when the
+  /// residual is below the tolerance times the largest force, or below the rounding error of the forces of a
+  /// body that moves freely by a large displacement. The factors of the last tangent are reused while they
+  /// converge. The state is invalid if the report says that the step did not converge.
   NewtonReport step(const Vector& load, double dt);
 
   const Vector& displacement() const { return u_; }  ///< [m]
   const Vector& velocity() const { return v_; }      ///< [m/s]
 
-  /// Sets the motion; the next step finds the acceleration anew.
+  /// Sets the motion; the next step computes the acceleration anew.
   void place(const Vector& displacement, const Vector& velocity);
 
   void save(StateWriter& state) const;
   void restore(StateReader& state);
 
  private:
-  enum class Tangent { kept, fresh };  // from earlier, or anew in every iteration
+  enum class Tangent { kept, fresh };  // factors of an earlier tangent, or a new tangent in every iteration
 
-  Vector coasting(double dt) const;  // the part of the next displacement that is known
+  Vector coasting(
+      double dt) const;  // the part of the next displacement that does not depend on the next acceleration
   NewtonReport balance(const Vector& external, double dt, Tangent tangent, Vector& a);
   bool factorize(const Vector& u, double dt);
 
   const FemBody<dim>& body_;
   AlphaConstants constants_;
   double damping_rate_;
-  double stiffness_;  // largest of the undeformed body [N/m]
+  double stiffness_;  // largest entry of the undeformed body's stiffness [N/m]
   Eigen::SimplicialLDLT<Matrix> solver_;
   Vector u_, v_, a_;
-  Vector tangent_at_;      // the displacement and the step of the factors
+  Vector tangent_at_;      // displacement of the factorised tangent; tangent_dt_ is its step
   double tangent_dt_ = 0;  // 0: there are none
   bool started_ = false;
 };

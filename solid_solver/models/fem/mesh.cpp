@@ -112,7 +112,7 @@ typename Mesh<dim>::Place Mesh<dim>::place(const Vec<dim>& x) const {
     least = xi.cwiseAbs().maxCoeff();
     best = {.element = e, .xi = xi};
   };
-  // An element whose corners' box holds x most likely holds it, too; then no other needs to be tried.
+  // An element whose box of corners contains x most likely contains x; then no other needs to be tried.
   const std::vector<Eigen::Index>& candidates = bins_.at(x);
   const Vec<dim> margin = Vec<dim>::Constant(side().norm());
   for (const bool wide : {false, true}) {

@@ -1,4 +1,4 @@
-// A body's shape as elements.
+// The elements of a body.
 #pragma once
 
 #include <vector>
@@ -40,14 +40,14 @@ class Mesh {
   /// The nodes' positions of an element.
   Eigen::Matrix<double, dim, Element::nodes> corners(Eigen::Index element) const;
 
-  /// The element that holds x, or the one nearest to it: sum N_a(xi) X_a = x.
+  /// The element that contains x, or the nearest one, with sum N_a(xi) X_a = x.
   /// @throws NumericalError where there is none.
   Place place(const Vec<dim>& x) const;
 
   /// Whether x lies in a clamp and not in the body's shape.
   bool only_in_clamp(const Vec<dim>& x) const;
 
-  /// The distance from the shape along the axis where it is largest [m]; 0 inside.
+  /// Distance of x from the shape along the axis where this is largest [m]; 0 inside.
   double outside(const Vec<dim>& x) const { return shape_.outside(x); }
 
  private:

@@ -7,12 +7,12 @@
 
 namespace cosurge::fem {
 
-/// Nodes are those of the meshes, body after body. Frames show the lattice that the water's spacing makes of
-/// the bodies, as for the other models.
+/// Nodes are those of the meshes, body after body. Frames show the points of the lattice (with the water's
+/// spacing) in the bodies, as for the other models.
 template <int dim>
 class MeshedBodies {
  public:
-  /// Vectors over the unknowns, one a body.
+  /// Vectors over the unknowns, one for each body.
   using Vectors = std::vector<Vector>;
 
   /// A point may lie half a spacing outside its body.
@@ -35,11 +35,12 @@ class MeshedBodies {
   Field inertia(const Field& acceleration) const;  ///< M a over all nodes [N]
   Field acceleration_by(const Field& load) const;  ///< M^-1 f at the nodes, zero where they are held [m/s2]
 
-  /// Largest over all bodies.
+  /// Largest value of all bodies.
   typename FemBody<dim>::Deformation deformation(const Vectors& u) const;
   double max_speed(const Vectors& v) const;
 
-  /// @throws NumericalError for a node that moves faster than the material's waves, or nowhere.
+  /// @throws NumericalError for a node that moves faster than the waves of the material, or whose motion is
+  /// not finite.
   void check_motion(const Window& window, const Vectors& v) const;
 
   Snapshot frame(const Vectors& u, const Vectors& v) const;
@@ -55,7 +56,7 @@ class MeshedBodies {
   Elasticity material_;
   double spacing_;
   std::vector<FemBody<dim>> bodies_;
-  std::vector<Eigen::Index> first_;  // node of each body, and their number
+  std::vector<Eigen::Index> first_;  // first node of each body, and the number of nodes
   std::vector<Site> sites_;
 };
 

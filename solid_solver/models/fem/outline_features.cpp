@@ -7,8 +7,9 @@
 namespace cosurge::fem {
 namespace {
 
-constexpr double spread = 0.03;  // smallest share of a corner's normals in any direction
-constexpr double sharp = 0.86;   // largest cosine of the angle between normals, and of a crease's turn
+constexpr double spread = 0.03;  // least share of the normals around a corner in any direction
+constexpr double sharp = 0.86;   // largest cosine of the angle between normals at a sharp edge, and of the
+                                 // turn of a crease at a corner
 constexpr std::size_t parts_of_ring = 4;
 
 /// Whether the unit normals n around a point, given by the sum of n (x) n, span the space.
@@ -122,7 +123,7 @@ class Tracing {
     }
     const std::vector<Point> found = corners_;
     for (const Point p : found) trace_from(p);
-    for (Point p = 0; p < points; ++p) trace_from(p);  // the remaining ones are rings
+    for (Point p = 0; p < points; ++p) trace_from(p);  // the remaining ones are closed curves
   }
 
   const std::vector<Point>& corners() const { return corners_; }

@@ -10,12 +10,12 @@
 namespace cosurge::fem {
 namespace {
 
-constexpr double alike = 1e-3;    // principal moments that differ by less have no axes
-constexpr double aligned = 1e-3;  // rad: normals of one direction
+constexpr double alike = 1e-3;    // relative difference of principal moments below which they define no axes
+constexpr double aligned = 1e-3;  // [rad] largest angle between normals of the same direction
 constexpr double most_faces = 0.5;
 constexpr std::size_t candidates = 8;
 
-/// The columns in the order of the coordinates they are closest to, turned to point along them.
+/// Orders the columns by the coordinates they are closest to, and directs them along these.
 template <int dim>
 Mat<dim> in_order(Mat<dim> left) {
   Mat<dim> axes = Mat<dim>::Zero();
@@ -38,14 +38,14 @@ Mat<dim> principal_axes(const Mat<dim>& second) {
   return in_order<dim>(solver.eigenvectors());
 }
 
-/// A direction, and the surface whose normals are along it or against it.
+/// A direction, and the area of the surface whose normals are parallel to it.
 template <int dim>
 struct Direction {
   Vec<dim> normal;
   double surface;
 };
 
-/// The directions of an outline's normals, the largest surfaces first.
+/// The directions of an outline's normals, in descending order of area.
 template <int dim>
 std::vector<Direction<dim>> directions(const Shape<dim>& shape) {
   std::vector<Direction<dim>> all;
@@ -67,7 +67,8 @@ std::vector<Direction<dim>> directions(const Shape<dim>& shape) {
   return all;
 }
 
-/// A direction, the largest one across it and what is across both; nothing without one across it.
+/// Axes from a direction, the largest direction normal to it, and the normal of both; nothing without such a
+/// direction.
 template <int dim>
 std::optional<Mat<dim>> axes_from(const Vec<dim>& first, const std::vector<Direction<dim>>& all) {
   const auto across = std::find_if(all.begin(), all.end(), [&](const Direction<dim>& one) {
@@ -81,7 +82,7 @@ std::optional<Mat<dim>> axes_from(const Vec<dim>& first, const std::vector<Direc
   return axes;
 }
 
-/// Axes from one of the largest directions that have most of the surface.
+/// Axes from one of the largest directions, if they contain most of the surface.
 template <int dim>
 std::optional<Mat<dim>> face_axes(const Shape<dim>& shape) {
   const std::vector<Direction<dim>> all = directions(shape);

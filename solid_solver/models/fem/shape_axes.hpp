@@ -5,10 +5,10 @@
 
 namespace cosurge::fem {
 
-/// A rotation; its columns are the axes, in the order of the coordinates they are closest to. Where the
-/// normals of more than half of an outline's surface lie along axes at right angles, these; otherwise the
-/// principal axes of its moments, or the coordinates' where principal moments are alike. A box has the
-/// coordinates'.
+/// A rotation whose columns are the axes, in the order of the coordinates they are closest to. If the normals
+/// of more than half of an outline's surface are parallel to three orthogonal axes, these are used; otherwise
+/// the principal axes of its moments, or the coordinate axes where principal moments are equal. A box has the
+/// coordinate axes.
 template <int dim>
 Mat<dim> axes_of(const Shape<dim>& shape);
 

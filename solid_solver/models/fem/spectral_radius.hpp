@@ -11,7 +11,7 @@ namespace cosurge::fem {
 /// radius of (S25), from 1 for a resolved oscillation to rho_infinity for an infinitely fast one.
 inline double amplitude_factor(const AlphaConstants& constants, double angle) {
   const auto& [alpha_m, alpha_f, beta, gamma] = constants;
-  // Of (u, dt v, dt^2 a): the new acceleration balances the forces, u and v follow from it.
+  // Unknowns (u, dt v, dt^2 a): the new acceleration balances the forces, u and v follow from it.
   const double square = angle * angle, balance = 1 - alpha_m + (1 - alpha_f) * square * beta;
   const Eigen::RowVector3d acceleration =
       -Eigen::RowVector3d(square, (1 - alpha_f) * square, alpha_m + (1 - alpha_f) * square * (0.5 - beta)) /

@@ -51,7 +51,7 @@ void HamiltonianBody<dim>::sum_geometry() {
       shape += w * n.r0 * n.r0.transpose();
     }
     const Eigen::FullPivLU<Mat<dim>> factors(shape);
-    if (!factors.isInvertible()) continue;  // the end of a clamp: it has no strain of its own
+    if (!factors.isInvertible()) continue;  // the end of a clamp, without a strain of its own
     const Mat<dim> inverse = factors.inverse();
     for (int a = 0; a < dim; ++a)
       for (int b = 0; b < dim; ++b) inverse_shape_[a][b][i] = inverse(a, b);
@@ -103,8 +103,9 @@ struct Stress {
   }
 };
 
-/// The gradient in the retardation time, H + tau dH/dt (S40). H is linear in the displacement: its change in
-/// a sub-step is the gradient of the mean velocity. With dt = 0 the present velocity is used.
+/// The gradient ahead by the retardation time, H + tau dH/dt (S40). H is linear in the displacement: its
+/// change in a sub-step is dt times the gradient of the mean velocity. With dt = 0 the present velocity is
+/// used.
 template <int dim>
 typename HamiltonianBody<dim>::Tensor HamiltonianBody<dim>::later_gradient(const Tensor& H, Eigen::Index i,
                                                                            double dt) {
@@ -122,7 +123,7 @@ typename HamiltonianBody<dim>::Tensor HamiltonianBody<dim>::later_gradient(const
   return later;
 }
 
-/// G of a particle with the gradient H and the stress of the gradient `later`.
+/// Sets G of (S33) for a particle with the gradient H and the stress of the gradient `later`.
 template <int dim>
 void HamiltonianBody<dim>::put_stress(const Tensor& H, const Tensor& later, Eigen::Index i) const {
   const Elasticity& material = substance_.material;
@@ -191,7 +192,7 @@ void HamiltonianBody<dim>::advance(int substeps, double dt) {
   }
 }
 
-/// The second half of a step's impulse; with dt = 0 the accelerations alone.
+/// Adds the second half of a step's impulse; with dt = 0 only the accelerations are computed.
 template <int dim>
 void HamiltonianBody<dim>::accelerate(double dt, double load_fraction) {
   const double left = std::exp(-0.5 * substance_.damping_rate * dt);
@@ -218,7 +219,7 @@ Energies HamiltonianBody<dim>::energies(double) const {
   if (cells_) cells_->measure(displacement_, velocity_, 0);
   for (Eigen::Index i = grid_.first_slot(); i < grid_.last_slot(); i += grid_.lanes) {
     const Tensor H = displacement_gradient(displacement_, i);
-    Lanes unseen = Lanes::Zero();  // sum of w |d - H r0|^2
+    Lanes unseen = Lanes::Zero();  // sum of w |d - H r0|^2 of (S32)
     for (const Neighbor& n : neighbors_) {
       const particles::LaneVec<dim> d = Base::difference(displacement_, i, i + n.shift);
       for (int a = 0; a < dim; ++a) {
@@ -260,7 +261,7 @@ double HamiltonianBody<dim>::highest_frequency() const {
   Vectors u;
   u.fill(Slots::Zero(grid_.slots()));
   return particles::highest_frequency(unknowns.size(), [&](const Eigen::VectorXd& x) {
-    // Strains so small that their squares count nothing.
+    // Strains so small that their squares are negligible.
     const double scale = 1e-7 * stencil_.spacing / x.norm();
     for (std::size_t m = 0; m < unknowns.size(); ++m) u[unknowns[m].first][unknowns[m].second] = scale * x[m];
     measure_stress(u);

@@ -10,14 +10,15 @@
 namespace cosurge::hamiltonian {
 
 /// Total Lagrangian particles (Kondo et al. 2010; docs/method_solid.md, section 9): deformation gradients by
-/// weighted least squares over the reference neighbours, St. Venant-Kirchhoff material, and a second energy
-/// for deformation that those gradients do not see, which holds the shortest waves. Forces are the exact
-/// derivative of the sum: energy, linear and angular momentum are kept; viscosity (S40) takes energy only.
-/// Velocity Verlet. Sums run over the neighbours in ascending order, eight particles at a time.
+/// weighted least squares over the reference neighbours, St. Venant-Kirchhoff material, and a stabilising
+/// energy for deformation that does not change these gradients (S32). Forces are the exact derivative of the
+/// total energy, so that energy, linear and angular momentum are conserved; viscosity (S40) only reduces the
+/// energy. Time integration is velocity Verlet. Sums run over the neighbours in ascending order, for eight
+/// particles at a time.
 template <int dim>
 class HamiltonianBody : public particles::ParticleBody<dim> {
  public:
-  /// @param stabilisation modulus of the second energy over Young's [-]
+  /// @param stabilisation modulus kappa of the stabilising energy, over Young's modulus [-]
   HamiltonianBody(const Body<dim>& body, std::size_t index, const particles::Stencil<dim>& stencil,
                   const particles::Substance<dim>& substance, double stabilisation);
 
@@ -61,13 +62,13 @@ class HamiltonianBody : public particles::ParticleBody<dim> {
   std::vector<Neighbor> neighbors_;
   double hold_;            // 2 kappa c0 / rho [1/(m2 s2)], pair constant of the second energy (S33)
   Slots weight_;           // sum of w over the neighbours that are there
-  Vectors first_moment_;   // sum of w r0 over them [m]: zero inside
+  Vectors first_moment_;   // sum of w r0 over them [m]: zero in the interior
   Tensors inverse_shape_;  // A^-1 [1/m2]
   mutable Tensors pull_;   // G = (P A^-1 - kappa c0 H) / rho
-  Tensors gradient_;       // H of the sub-step before
-  Vectors acceleration_;   // by internal forces, with the velocity half a step before
-  bool fresh_ = false;     // whether acceleration_ is
-  double lambda_;          // for the particles [Pa]
+  Tensors gradient_;       // H of the previous sub-step
+  Vectors acceleration_;   // by internal forces, with the velocity half a step before (S41)
+  bool fresh_ = false;     // whether acceleration_ belongs to the present state
+  double lambda_;          // part of lambda that acts on particles [Pa]
   std::optional<particles::CellDilatation<dim>> cells_;  // where Poisson's ratio is near 1/2 (S42)
 };
 

@@ -11,10 +11,10 @@
 namespace cosurge::modal {
 namespace {
 
-/// Rate [1/s] at which a mode loses as much amplitude in a step of h [s] as by the method of `fem`: weak
-/// coupling feeds oscillations that are faster than the windows.
+/// Damping rate [1/s] at which a mode loses as much amplitude in a step of h [s] as by the time integration
+/// of `fem`. Without it, weak coupling feeds oscillations that are faster than the windows.
 double rate_of_damping(const fem::AlphaConstants& constants, double omega_squared, double h) {
-  constexpr double least = 1e-3;  // amplitude left by a step, with rho_infinity = 0
+  constexpr double least = 1e-3;  // least amplitude factor of a step, for rho_infinity = 0
   const double left = fem::amplitude_factor(constants, std::sqrt(omega_squared) * h);
   return -2 * std::log(std::clamp(left, least, 1.0)) / h;
 }
@@ -139,7 +139,7 @@ std::vector<double> ModalModel<dim>::values() const {
   return {largest.rotation, largest.strain, largest_deflection()};
 }
 
-/// Displacement of a node but for the free motion as a whole, over the longest side of its body.
+/// Displacement of a node, without the free motion of the body as a whole, over the longest side of the body.
 template <int dim>
 double ModalModel<dim>::largest_deflection() const {
   double largest = 0;

@@ -8,10 +8,10 @@
 
 namespace cosurge::modal {
 
-/// u = sum phi_i eta_i about the undeformed bodies, each mode advanced exactly over the window, with
-/// `solid.damping_ratio`. Oscillations that the window does not resolve lose amplitude as in `fem`. For small
-/// deflection only: deflection, rotation and strain are reported, so that a user sees where that ends, and
-/// `cosurge run` says it.
+/// u = sum phi_i eta_i about the undeformed bodies, each mode advanced exactly over the window with
+/// `solid.damping_ratio` (docs/method_solid.md, section 6). Oscillations that the window does not resolve
+/// lose amplitude as in `fem`. Valid for small deflection only: deflection, rotation and strain are reported,
+/// and `cosurge run` warns if they are too large.
 template <int dim>
 class ModalModel : public SolidModel {
  public:
@@ -40,7 +40,8 @@ class ModalModel : public SolidModel {
 
   std::vector<NodalMode> modes(int count) const override;
 
-  /// The assumption: small angles, strains and deflections (over the body's longest side).
+  /// Measures of the assumption of small deflection: rotation, strain, and deflection over the body's longest
+  /// side.
   std::vector<Column> columns() const override {
     return {{"largest_rotation", "rad"}, {"largest_strain", "-"}, {"largest_deflection", "-"}};
   }
@@ -57,29 +58,29 @@ class ModalModel : public SolidModel {
   // The motion over the unknowns of the bodies, in [m] and [m/s].
   Vectors displacements() const { return motion(&OscillatorState::position); }
   Vectors velocities() const { return motion(&OscillatorState::velocity); }
-  /// The part of a motion that the modes have.
+  /// The part of a motion that the modes represent.
   void place(const Vectors& displacements, const Vectors& velocities);
 
   /// Whether a body can move as a whole.
   bool has_free_motion() const;
 
-  /// Displacement of body b under constant forces on its unknowns [m]; no free motion.
+  /// Static displacement of body b under constant forces on its unknowns [m], without free motion.
   fem::Vector deflection(std::size_t b, const fem::Vector& force) const;
 
  private:
   void prepare_steps(double h);
   double largest_deflection() const;
 
-  /// One part of the modes' states on the unknowns of the bodies.
+  /// One component of the modes' states, on the unknowns of the bodies.
   Vectors motion(double OscillatorState::*part) const;
 
   fem::MeshedBodies<dim> bodies_;
   std::vector<double> damping_;  // rate of each body [1/s]
-  fem::AlphaConstants alpha_;    // of the damping of fast oscillations
+  fem::AlphaConstants alpha_;    // constants of the numerical damping of fast oscillations
   std::vector<Modes> modes_;
   Vectors weight_;                                    // gravity's load on the modes
   std::vector<std::vector<OscillatorState>> states_;  // states of each body's modes
-  std::vector<OscillatorStep> steps_;                 // steps of all modes for a window of steps_size_
+  std::vector<OscillatorStep> steps_;  // steps of all modes for a window of the size steps_size_
   double steps_size_ = 0;
 };
 

@@ -12,8 +12,8 @@
 namespace cosurge::modal {
 namespace {
 
-// Shift relative to omega^2 of the fundamental pressure wave: far below the modes of any but the slenderest
-// body, and far above the rounding of K.
+// Shift relative to omega^2 of the fundamental pressure wave: far below the modes of all but the most slender
+// bodies, and far above the rounding error of K.
 constexpr double shift = 1e-3;
 constexpr double rounding = 1e-6;  // [shift] tolerance for the zero eigenvalue of a rigid motion
 constexpr double tolerance = 1e-12;

@@ -9,8 +9,8 @@
 namespace cosurge::mps {
 namespace {
 
-// Added to every r^2: a particle that happens to lie on a void slot, whose pair counts nothing, must not
-// divide by zero.
+// Added to every r^2, so that a particle that happens to coincide with a void slot, whose pair has no weight,
+// does not divide by zero.
 constexpr double not_zero = 1e-200;
 
 using particles::at;
@@ -69,7 +69,7 @@ typename MpsBody<dim>::Rot MpsBody<dim>::Pose::rotation_at(Eigen::Index i) const
   return at_i;
 }
 
-/// Where the present velocities lead in the retardation time.
+/// Extrapolates the pose by the retardation time with the present velocities (S40).
 template <int dim>
 typename MpsBody<dim>::Pose MpsBody<dim>::look_ahead() {
   const double tau = substance_.retardation;
@@ -203,7 +203,7 @@ double MpsBody<dim>::highest_frequency() const {
   MpsBody moved = *this;
   struct Unknown {
     double* coordinate;
-    int component;  // component of the acceleration; angular components last
+    int component;  // component of the acceleration; angular components come last
     Eigen::Index slot;
   };
   std::vector<Unknown> unknowns;
@@ -215,7 +215,7 @@ double MpsBody<dim>::highest_frequency() const {
       if (turns_[slot] != 0) unknowns.push_back({&moved.rotation_[k + 1][slot], dim + k, slot});
   }
   return particles::highest_frequency(unknowns.size(), [&](const Eigen::VectorXd& x) {
-    // Strains so small that their squares count nothing.
+    // Strains so small that their squares are negligible.
     const double scale = 1e-7 * stencil_.spacing / x.norm();
     for (std::size_t m = 0; m < unknowns.size(); ++m)
       *unknowns[m].coordinate = scale * x[m] * (unknowns[m].component < dim ? 1 : 0.5 / gyration);

@@ -36,7 +36,7 @@ class MpsBody : public particles::ParticleBody<dim> {
 
   Field acceleration() const override;
 
-  /// The velocity takes a sub-step's impulse before the particles move by it.
+  /// The velocity gets the impulse of a sub-step before the particles move by it.
   double force_instant() const override { return 0; }
 
   /// Moves one free particle: displacement [m], rotation vector [rad], velocity [m/s], angular velocity
@@ -86,17 +86,17 @@ class MpsBody : public particles::ParticleBody<dim> {
   Pose present() const { return {displacement_, rotation_}; }
   Pose look_ahead();
   void measure_dilatation(const Pose& strained) const;
-  void measure_at_rest() const;  // without the contribution of velocities to strains
+  void measure_at_rest() const;  // without the velocity terms of the strains
   Acceleration internal_acceleration(const Pose& strained, Eigen::Index i) const;
   void accelerate(const Pose& strained, double dt, double load_fraction);
   void move(double dt, double load_fraction);
 
   PairWeights<dim> weights_;
-  bool dilatational_;  // lambda > 0: without it there is no pressure, and no square root in the pair sums
+  bool dilatational_;  // lambda > 0; otherwise pair sums need neither pressures nor square roots
   std::vector<Bond> bonds_;
   Slots turns_;  // 1 or 0: whether the particle may rotate
   Rotations rotation_;
-  Displacements later_displacement_;  // the retardation time ahead
+  Displacements later_displacement_;  // displacement ahead by the retardation time
   Rotations later_rotation_;
   std::array<Slots, Rot::spins> spin_;
   mutable Slots dilatation_;

@@ -38,7 +38,7 @@ std::vector<Link> links_of(const particles::BodyGrid<dim>& grid, const particles
       const long j = grid.particle_in(grid.slot(i) + grid.shift(n.offset));
       if (j < 0 || grid.held(i)) continue;
       const bool held = grid.held(static_cast<std::size_t>(j));
-      if (!held && k > opposite) continue;  // seen from the other side
+      if (!held && k > opposite) continue;  // counted from the other particle
       links.push_back({.first = i,
                        .second = static_cast<std::size_t>(j),
                        .neighbor = k,
@@ -50,7 +50,8 @@ std::vector<Link> links_of(const particles::BodyGrid<dim>& grid, const particles
   return links;
 }
 
-/// Second moments of all particles as a matrix on the weights of the links: rows (particle, a <= b).
+/// Matrix from the weights of the links to the second moments of all particles; matrix rows are (particle, a
+/// <= b).
 template <int dim>
 Eigen::SparseMatrix<double> moments(const std::vector<Link>& links, std::size_t count,
                                     const particles::Stencil<dim>& stencil) {
@@ -79,7 +80,8 @@ Eigen::SparseMatrix<double> moments(const std::vector<Link>& links, std::size_t 
   return matrix;
 }
 
-/// A weight for every link. Conjugate gradients from the lattice's weights stay at the least change of them.
+/// A weight for every link. Conjugate gradients that start from the lattice's weights find the solution
+/// nearest to them.
 template <int dim>
 Eigen::VectorXd solve_weights(const std::vector<Link>& links, const particles::BodyGrid<dim>& grid,
                               const particles::Stencil<dim>& stencil) {

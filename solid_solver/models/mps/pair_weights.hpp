@@ -19,7 +19,8 @@ struct PairWeights {
   };
   std::vector<Pair> pairs;
   particles::Slots dilates;  ///< 1 or 0: whether the particle has a pressure of its own
-  double bending;            ///< stiffness of pairs against different rotations, over theirs [m2] (S38)
+  double bending;  ///< beta of (S38): stiffness of pairs against relative rotation, over that of their
+                   ///< springs [m2]
 };
 
 /// The lattice's weights w for all pairs of particles (Amaro & Cheng).
@@ -27,9 +28,9 @@ template <int dim>
 PairWeights<dim> lattice_weights(const particles::BodyGrid<dim>& grid,
                                  const particles::Stencil<dim>& stencil);
 
-/// The weights nearest to the lattice's, by the sum of squares, with which every free particle has the
-/// lattice's second moment (S37), at faces, edges and corners too. Pairs with held particles end at the
-/// clamp's face.
+/// The weights nearest to the lattice's, by the sum of squares, with which every free particle has the second
+/// moment of the lattice (S37), also at faces, edges and corners. Pairs with held particles end at the face
+/// of the clamp.
 template <int dim>
 PairWeights<dim> whole_weights(const particles::BodyGrid<dim>& grid, const particles::Stencil<dim>& stencil);
 

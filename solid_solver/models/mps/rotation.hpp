@@ -9,7 +9,7 @@ using particles::cross;
 using particles::Lanes;
 using particles::LaneVec;
 
-/// Cosine of an angle a, and its sine over a, from a^2 by their Taylor polynomials: |a| < 0.2 for all digits.
+/// cos a and sin a / a from a^2, by Taylor polynomials that are exact to rounding for |a| < 0.2.
 struct SmallAngle {
   Lanes cosine, sine_over_angle;
   explicit SmallAngle(const Lanes& a2)
@@ -20,8 +20,9 @@ struct SmallAngle {
                         a2 * (1. / 6) * (1 - a2 * (1. / 20) * (1 - a2 * (1. / 42) * (1 - a2 * (1. / 72))))) {}
 };
 
-/// A rotation by its half angle: in the plane the unit complex number (cos(theta / 2), sin(theta / 2)), in
-/// space the unit quaternion of the same form. `Pair` is what two particles' rotations make together.
+/// A rotation, stored by its half angle: in the plane the unit complex number (cos(theta / 2), sin(theta /
+/// 2)), in space the unit quaternion. `Pair` holds what the rotations of two particles give together (S1,
+/// S38, S39).
 template <int dim>
 struct Rotation;
 
@@ -41,7 +42,7 @@ struct Rotation<2> {
     LaneVec<2> turn(const std::array<double, 2>& x) const {
       return {x[0] * cosine - x[1] * sine, x[0] * sine + x[1] * cosine};
     }
-    /// Twice the share of the first in a couple on the mean rotation: half of it for each.
+    /// Twice the share of the first particle in a couple on the mean rotation; each gets half of it.
     Axial share(const Axial& couple) const { return couple; }
     Axial twist() const { return {2 * half_cosine * half_sine}; }  ///< sine of the relative angle (S38)
     Lanes one_minus_cosine() const { return 2 * half_sine * half_sine; }  ///< for the relative angle
@@ -53,8 +54,8 @@ struct Rotation<2> {
             a[0] * b[1] - a[1] * b[0]};
   }
 
-  /// Turned on by an angle = angular velocity * dt, |angle| < 0.4. One Newton step holds the modulus at 1
-  /// against rounding.
+  /// Rotates further by the angle angular velocity * dt, |angle| < 0.4. One Newton step keeps the modulus at
+  /// 1 despite rounding.
   Rotation turned(const Axial& angle) const {
     const Lanes a = 0.5 * angle[0];
     const SmallAngle small(a * a);
@@ -75,7 +76,8 @@ struct Rotation<3> {
   std::array<Lanes, components> q;  // scalar first
 
   struct Pair {
-    Lanes scalar, over_square;  // for the sum of both quaternions, and 2 over its square
+    Lanes scalar,
+        over_square;  // scalar part of the sum of both quaternions, and 2 over the square of the sum
     LaneVec<3> vector;
     Lanes half_cosine;     // half the angle between the two
     LaneVec<3> half_sine;  // times the axis
@@ -88,8 +90,8 @@ struct Rotation<3> {
       for (int k = 0; k < 3; ++k) turned[k] = x[k] + over_square * (scalar * once[k] + twice[k]);
       return turned;
     }
-    /// With t = tan(psi / 4) n of the relative rotation (psi, n), the mean rotation follows the first
-    /// particle by (1 - t x) / 2: what makes couples the derivative of the energy (S39).
+    /// With t = tan(psi / 4) n of the relative rotation (psi, n), the share of the first particle in the mean
+    /// rotation is (1 - t x) / 2, so that couples are the derivative of the energy (S39).
     Axial share(const Axial& couple) const {
       const Lanes scale = 1 / (1 + half_cosine);
       const LaneVec<3> aside = cross(half_sine, couple);

@@ -75,7 +75,7 @@ void BodyGrid<dim>::number_slots(const std::vector<SiteIndex<dim>>& sites, int r
     lower_ = lower_.cwiseMin(k);
     upper_ = upper_.cwiseMax(k);
   }
-  // `reach` void slots between rows keep a neighbour beyond a row's end from being the next row's start.
+  // `reach` void slots between rows of sites, so that no neighbour lies in the next row
   stride_[0] = 1;
   for (int k = 1; k < dim; ++k) stride_[k] = stride_[k - 1] * (upper_[k - 1] - lower_[k - 1] + 1 + reach);
   const Eigen::Index farthest = reach * stride_.sum();

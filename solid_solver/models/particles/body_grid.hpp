@@ -9,10 +9,10 @@
 
 namespace cosurge::particles {
 
-/// Particles lie on the body's sites and are free, but for its supports; in its clamps lie held ones, as far
-/// as free ones feel them. All lie in one padded block of the lattice: slots with no particle are void, and a
-/// neighbour's slot is the particle's own plus a constant, whatever the particle. Particles are numbered in
-/// the order of their slots.
+/// Particles on the sites of a body are free, except in supports. Held particles fill its clamps as far as
+/// free ones interact with them. All are stored in a padded block of the lattice: slots without a particle
+/// are void, and the slot of a neighbour is that of the particle plus a constant that is the same for all
+/// particles. Particles are numbered in the order of their slots.
 template <int dim>
 class BodyGrid {
  public:
@@ -39,7 +39,7 @@ class BodyGrid {
   /// Particles whose sites lie less than `radius` from a point.
   std::vector<std::size_t> particles_near(const Vec<dim>& x, double radius) const;
   bool in_clamp(const Vec<dim>& x) const;
-  /// Share of the way from x, outside the clamps, to x + r0 in one of them, before it enters that clamp.
+  /// For x outside the clamps and x + r0 in a clamp: the share of the way between them that lies outside it.
   double share_outside_clamps(const Vec<dim>& x, const Vec<dim>& r0) const;
   /// Whether x lies in the body's shape, its faces included.
   bool in_shape(const Vec<dim>& x) const;

@@ -10,24 +10,24 @@
 
 namespace cosurge::particles {
 
-/// The part of lambda that acts on the dilatation of each particle [Pa]: at most 4 mu, that is all of it up
-/// to Poisson's ratio 0.4 in space and in plane strain, and any in plane stress. A bent plate has one
-/// particle more through its thickness than differences of displacement between them, so that a large lambda
-/// at particles hinders the bending.
+/// The part of lambda that acts on the dilatation of each particle [Pa]: at most 4 mu, which is all of lambda
+/// up to Poisson's ratio 0.4 in space and plane strain, and always in plane stress. A bent plate has one
+/// dilatation more through its thickness than differences of displacement, so that a large lambda at
+/// particles would make it too stiff.
 double lambda_of_particles(const Elasticity& material);
 
-/// The rest of lambda. A cell lies between 2^dim particles that are neighbours along the axes; each of them
-/// shares its volume equally among its cells. With the mean gradient H_c of a cell by its diagonals, its
-/// dilatation and energy are (docs/method_solid.md, S42)
+/// The remaining part of lambda. A cell lies between 2^dim particles that are neighbours along the axes; the
+/// volume of each particle is shared equally among its cells. With the mean gradient H_c of a cell, from its
+/// diagonals, the dilatation and the energy are (docs/method_solid.md, S42)
 ///   theta_c = tr(H_c) + H_c : H_c / 2,   E = sum_c (lambda_c / 2) V_c theta_c^2,
-/// those of St. Venant-Kirchhoff's law in uniform strain. Forces are its exact derivative, which keeps both
-/// momenta.
+/// as in St. Venant-Kirchhoff's law under uniform strain. Forces are the exact derivative of the energy, so
+/// that linear and angular momentum are conserved.
 template <int dim>
 class CellDilatation {
  public:
   using Vectors = std::array<Slots, dim>;
 
-  /// @param members 1 or 0 for each slot: particles between which there are cells
+  /// @param members 1 or 0 for each slot: whether its particle can be a corner of cells
   CellDilatation(const BodyGrid<dim>& grid, const Slots& members, double spacing, const Elasticity& material);
 
   /// Measures all cells. The stress belongs to the displacement u + retardation * v (S40), its direction to

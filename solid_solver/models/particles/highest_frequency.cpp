@@ -10,7 +10,7 @@
 namespace cosurge::particles {
 namespace {
 
-/// As Spectra wants an operator.
+/// The stiffness as an operator for Spectra.
 struct Operator {
   using Scalar = double;
   Eigen::Index size;
@@ -34,7 +34,7 @@ double highest_frequency(std::size_t unknowns,
   solver.compute(Spectra::SortRule::LargestAlge, 1000, tolerance);
   if (solver.info() != Spectra::CompInfo::Successful)
     throw NumericalError("solid: the highest frequency of a body did not converge");
-  // Margin for the tolerance, so that the result is an upper limit.
+  // Factor for the tolerance, so that the result is an upper limit.
   return std::sqrt(solver.eigenvalues()[0] * (1 + tolerance));
 }
 

@@ -6,8 +6,8 @@
 
 namespace cosurge::particles {
 
-/// Highest angular frequency [rad/s] of x'' = -K x by Lanczos iteration, at most 1e-4 too high and not too
-/// low: explicit steps are stable up to 2 over it.
+/// Highest angular frequency [rad/s] of x'' = -K x by Lanczos iteration, at most a factor 1 + 1e-4 too high
+/// and never too low: explicit steps are stable up to 2 / omega.
 /// @param unknowns length of x
 /// @param stiffness x -> K x, symmetric
 /// @throws NumericalError where the iteration finds none

@@ -6,8 +6,7 @@
 
 namespace cosurge::particles {
 
-/// The same number of several particles; arithmetic goes element by element in the machine's vector
-/// registers.
+/// One value for each of several particles; arithmetic is elementwise in vector registers.
 using Lanes = Eigen::Array<double, 8, 1>;
 
 template <int dim>
@@ -22,7 +21,7 @@ inline LaneVec<3> cross(const LaneVec<3>& x, const LaneVec<3>& y) {
   return {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
 }
 
-/// A number of every slot of a BodyGrid.
+/// One value for every slot of a BodyGrid.
 using Slots = Eigen::ArrayXd;
 
 inline Eigen::Map<const Lanes> at(const Slots& values, Eigen::Index i) {

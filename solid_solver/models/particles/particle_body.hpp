@@ -11,7 +11,7 @@
 
 namespace cosurge::particles {
 
-/// Properties of a body of particles, for any forces.
+/// Properties of a body of particles that do not depend on the law of forces.
 template <int dim>
 struct Substance {
   Elasticity material;

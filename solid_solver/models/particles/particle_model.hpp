@@ -1,4 +1,4 @@
-// A model of explicit particles, whatever pulls them.
+// A model of explicit particles with any law of forces.
 #pragma once
 
 #include <algorithm>
@@ -20,9 +20,9 @@ class ParticleModel : public SolidModel {
   /// Sub-steps set in the case, and the longest stable one [s].
   struct Steps {
     std::string key;                  ///< key of the case's table: "solid.mps"
-    double stable;                    ///< [s]
-    double fraction;                  ///< step as a share of the stable one
-    double fixed = 0;                 ///< instead [s], where not 0
+    double stable;                    ///< longest stable sub-step [s]
+    double fraction;                  ///< sub-step as a share of the stable one
+    double fixed = 0;                 ///< fixed sub-step [s]; 0: none
     std::string else_runs_away = {};  ///< further reason for instability, and a remedy
   };
 
@@ -63,7 +63,7 @@ class ParticleModel : public SolidModel {
   Steps steps_;
   double substep_;
   double last_dt_ = 0;
-  std::vector<Eigen::Index> first_;  // node of each body, and their number
+  std::vector<Eigen::Index> first_;  // first node of each body, and the number of nodes
 };
 
 /// Longest stable step of explicit particles [s], central differences with the viscous force of the velocity

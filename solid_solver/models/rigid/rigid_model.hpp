@@ -1,4 +1,4 @@
-// The model `rigid`: bodies that are held, all of them.
+// The model `rigid`: all bodies are held.
 #pragma once
 
 #include "solid_solver/solid_model.hpp"
@@ -6,8 +6,9 @@
 
 namespace cosurge {
 
-/// The nodes of each body are held: one in the middle of the box around it, and one from there along each
-/// axis, so that a motion of what holds it is affine between them. Its load is what holds it: the reaction.
+/// The nodes of each body are held: one in the middle of the box around it, and one at a distance from there
+/// along each axis, so that the motion of a carrier is affine between them. The reported load is the total
+/// load, which the supports balance.
 template <int dim>
 class RigidModel : public SolidModel {
  public:

@@ -8,7 +8,8 @@
 namespace cosurge::sprung {
 namespace {
 
-constexpr double resolved = 0.05;  // rad of the rotation's oscillation a sub-step: its period is 2e-4 long
+constexpr double resolved =
+    0.05;  // [rad] of the rotation's oscillation in a sub-step; the error of the period is 2e-4
 constexpr int most_substeps = 1000;
 
 /// The matrix of e_axis x.
@@ -57,7 +58,7 @@ Mat<dim> Revolution<dim>::rotation() const {
          2 * half * half * (generator_ * generator_);
 }
 
-/// Product of a matrix with the nodes' arms.
+/// Product of a matrix with the lever arms of the nodes.
 template <int dim>
 typename Revolution<dim>::Nodal Revolution<dim>::arms(const Mat<dim>& turned) const {
   Nodal moved = Nodal::Zero();

@@ -1,4 +1,4 @@
-// How a rigid body turns about its pivot.
+// Rotation of a rigid body about its pivot.
 #pragma once
 
 #include <optional>
@@ -29,8 +29,9 @@ class Revolution {
 
   bool is_free() const { return single_ || space_; }
 
-  /// A window under a load on the nodes that goes linearly from first to last [N], and a weight at an arm
-  /// from the pivot [m]. Returns the sub-steps. `ramp_increment` gets what a ramped load works on (S15).
+  /// Computes a window under a load on the nodes that changes linearly from first to last [N], and a weight
+  /// [N] at a lever arm from the pivot [m]. Returns the number of sub-steps. `ramp_increment` gets the
+  /// integral z of (S15).
   int advance(double window, const Nodal& first, const Nodal& last, const Vec<dim>& arm,
               const Vec<dim>& weight, Nodal& ramp_increment);
 

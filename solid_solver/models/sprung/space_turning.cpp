@@ -21,7 +21,7 @@ Vec<3> to_space(const Vec<3>& theta, const Vec<3>& gradient) {
   return gradient + 0.5 * theta.cross(gradient) + c * theta.cross(theta.cross(gradient));
 }
 
-/// Turned on by the rotation whose Cayley vector is psi: its angle is 2 atan(|psi| / 2).
+/// Rotates further by the rotation with the Cayley vector psi; its angle is 2 atan(|psi| / 2).
 Eigen::Quaterniond turned_on(const Eigen::Quaterniond& q, const Vec<3>& psi) {
   return (Eigen::Quaterniond(1, 0.5 * psi[0], 0.5 * psi[1], 0.5 * psi[2]) * q).normalized();
 }
@@ -33,9 +33,10 @@ double SpaceTurning::spring_energy(const Eigen::Quaterniond& at) const {
   return 0.5 * theta.dot(stiffness.cwiseProduct(theta)) - preload.dot(theta);
 }
 
-/// Springs' moment in a step that ends at `after`; psi . moment is the loss of the springs' energy [N m].
+/// Moment of the springs in a step that ends at `after`; psi . moment is the decrease of the springs' energy
+/// [N m].
 Vec<3> SpaceTurning::spring_moment(const Eigen::Quaterniond& after, const Vec<3>& psi) const {
-  constexpr double too_small = 1e-7;  // rad: the last digits of the energies' difference are lost
+  constexpr double too_small = 1e-7;  // [rad] too small for the difference of the energies to be accurate
   if (!has_springs()) return Vec<3>::Zero();
   const Vec<3> theta = rotation_vector(turned_on(attitude, 0.5 * psi));
   Vec<3> gradient = to_space(theta, stiffness.cwiseProduct(theta) - preload);
@@ -44,7 +45,7 @@ Vec<3> SpaceTurning::spring_moment(const Eigen::Quaterniond& after, const Vec<3>
   return -gradient;
 }
 
-/// The rotation vector jumps where the body has turned by half a turn.
+/// The rotation vector is discontinuous at a rotation by half a turn.
 void SpaceTurning::check_springs(const Eigen::Quaterniond& after) const {
   if (!has_springs() || (rotation_vector(after) - rotation_vector(attitude)).norm() < std::numbers::pi)
     return;

@@ -8,8 +8,9 @@
 
 namespace cosurge::sprung {
 
-/// Angular momentum p' = moment of the loads - C omega - dV/dtheta, with springs and preloads about the three
-/// axes of space whose energy is V = sum k_i theta_i^2 / 2 - t_i theta_i of the rotation vector theta.
+/// dp/dt = moment of the loads - C omega - dV/dtheta, with the angular momentum p, dampers C, and springs and
+/// preloads about the three axes of space with the energy V = sum k_i theta_i^2 / 2 - t_i theta_i of the
+/// rotation vector theta.
 struct SpaceTurning {
   Mat<3> inertia;                     ///< about the pivot, where the body is drawn [kg m2]
   Vec<3> stiffness = Vec<3>::Zero();  ///< [N m/rad]
@@ -21,10 +22,10 @@ struct SpaceTurning {
   /// The moment of dead loads, from the mean of the body's rotation matrices before and after a step [N m].
   using Moment = std::function<Vec<3>(const Mat<3>& mean)>;
 
-  /// One step of dt by the mid-point rule of Simo & Wong (1991, Int. J. Numer. Methods Eng. 31, 19), with the
-  /// springs' moment as a discrete gradient (Gonzalez 1996, J. Nonlinear Sci. 6, 449): angular momentum is
-  /// kept, and loads and springs do exactly the work that the energies take (docs/method_solid.md, S47).
-  /// Second order.
+  /// One step of dt [s] by the mid-point rule of Simo & Wong (1991, Int. J. Numer. Methods Eng. 31, 19), with
+  /// the springs' moment as a discrete gradient (Gonzalez 1996, J. Nonlinear Sci. 6, 449): angular momentum
+  /// is conserved without loads, and the work of loads and springs equals the change of the energies exactly
+  /// (docs/method_solid.md, S47). Second order.
   /// @throws NumericalError where the loads turn the body too fast for the step, or by more than half a turn
   /// against springs.
   void step(const Moment& moment, double dt);

@@ -11,10 +11,10 @@
 
 namespace cosurge::sprung {
 
-/// Translations along the axes, and rotations by any angle about a pivot, each with its spring and damper;
-/// motions without a spring in the case are held. Its nodes are the pivot and one point from
-/// there along each axis: the rigid motion is affine between them, so that H is constant for large rotations
-/// too (docs/method_solid.md, section 8).
+/// Translations along the axes and rotations by any angle about a pivot, each with its spring and damper
+/// (docs/method_solid.md, section 8). Motions without a spring in the case are fixed. The nodes are the pivot
+/// and one point at a distance from it along each axis: the rigid motion is affine between them, so that H is
+/// constant for large rotations too.
 template <int dim>
 class SprungBody {
  public:
@@ -27,11 +27,11 @@ class SprungBody {
   SprungBody(const Shape<dim>& shape, std::size_t index, const SprungParameters<dim>& parameters,
              double density, const Vec<dim>& gravity, const Vec<dim>& velocity);
 
-  /// The point's motion is the sum of the nodes' with these coefficients.
+  /// Coefficients of the nodes' motions in the motion of a point.
   Coefficients coefficients(const Vec<dim>& x) const;
 
-  /// One window under a load on the nodes that goes linearly from first to last [N]; returns the sub-steps of
-  /// the rotation: translations are exact in time.
+  /// Computes one window under a load on the nodes that changes linearly from first to last [N]. Returns the
+  /// number of sub-steps of the rotation; translations are exact in time.
   int advance(double window, const Nodal& first, const Nodal& last);
 
   /// Initial positions of its nodes [m].
@@ -40,13 +40,13 @@ class SprungBody {
   /// M a [N] for a rigid body, whose acceleration between the nodes is affine like its motion.
   Field inertia(const Field& acceleration) const { return acceleration * nodal_mass_; }
 
-  /// Its free motions, about where it is.
+  /// Its free motions about the present position.
   std::vector<NodalMode> modes() const;
 
   Field displacement() const;  ///< [m]
   Field velocity() const;      ///< [m/s]
   Field ramp_increment() const { return ramp_increment_; }
-  Energies energies() const;  ///< `elastic` is the springs', zero where the body is drawn
+  Energies energies() const;  ///< `elastic` is the energy of the springs, zero in the initial position
   double max_speed() const;   ///< [m/s] of its corners
 
   void save(StateWriter& state) const;
@@ -66,7 +66,7 @@ class SprungBody {
   Eigen::Matrix<double, nodes, nodes>
       nodal_mass_;  // integral of the density times products of coefficients [kg]
   std::array<Translation, dim> translations_;
-  std::optional<Revolution<dim>> turning_;  // always there, once its inertia is known
+  std::optional<Revolution<dim>> turning_;  // set as soon as the inertia is known
   Nodal ramp_increment_ = Nodal::Zero();
 };
 

@@ -3,8 +3,8 @@
 
 namespace cosurge::sprung {
 
-/// Moment of dead forces f at X (from the pivot) on a body turned by theta: across cos theta - along sin
-/// theta, across = sum X x f, along = sum X . f [N m].
+/// Moment of dead forces f at X (relative to the pivot) on a body rotated by theta: across cos theta - along
+/// sin theta, across = sum X x f, along = sum X . f [N m] (docs/method_solid.md, S30).
 struct Couple {
   double across = 0;
   double along = 0;
@@ -19,9 +19,9 @@ struct Turning {
   double angle = 0;  ///< theta [rad]
   double speed = 0;  ///< [rad/s]
 
-  /// One step of dt by the mid-point rule, with the moment's mean over the angle, so that forces do on the
-  /// body exactly the work that its energies and damper take (docs/method_solid.md, S30). Second order,
-  /// stable for any step.
+  /// One step of dt [s] by the mid-point rule, with the mean of the moment over the angle, so that the work
+  /// of the forces on the body equals the change of its energies plus the loss in the damper exactly
+  /// (docs/method_solid.md, S30). Second order, stable for any step.
   /// @throws NumericalError where the loads turn the body too fast for the step.
   void step(const Couple& couple, double dt);
 };
