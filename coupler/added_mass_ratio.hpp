@@ -6,21 +6,21 @@
 
 namespace cosurge {
 
-/// mu: by how much a change of the acceleration that the water sees changes the acceleration that comes out,
-/// with the opposite sign (docs/method.md, eq. 19). Where mu is near the limit of a weak scheme, the load
+/// mu: the negative ratio of the change of the structure's acceleration to the change of the acceleration
+/// that the water used (docs/method.md, eq. 19). Where mu is near the limit of a weak scheme, the load
 /// alternates from window to window.
 class AddedMassRatio {
  public:
-  /// Two passes through the same window: `velocity` that the water saw, `answer` of the structure.
-  /// mu = - d answer . d velocity / |d velocity|^2. Ignored at rest.
+  /// Updates mu from two passes through the same window: `velocity` that the water used, `answer` of the
+  /// structure. mu = - d answer . d velocity / |d velocity|^2. Ignored at rest.
   void iterated(const Field& velocity_change, const Field& answer_change);
 
-  /// The next window, where every window is gone through once: the same from the changes of the acceleration
-  /// between windows, as the mean over about `memory` windows. It is the ratio where the load rules the
-  /// motion, and less where it does not.
+  /// Updates mu from the next window of a scheme that computes every window once, from the changes of the
+  /// acceleration between windows, as the mean over about `memory` windows. The value is mu if the load
+  /// dominates the motion, and smaller otherwise.
   void passed(const Field& velocity, const Window& window);
 
-  double value() const { return value_; }  ///< [-], >= 0; 0 as long as nothing is known
+  double value() const { return value_; }  ///< [-], >= 0; 0 while nothing is known
 
   void save(StateWriter& state) const;
   void restore(InterfaceReader& state);
@@ -29,12 +29,12 @@ class AddedMassRatio {
 
  private:
   double value_ = 0;
-  int seen_ = 0;        // windows, up to three
-  Field velocity_;      // in the last window
-  Field acceleration_;  // into it
-  Field change_;        // change of that acceleration
-  double product_ = 0;  // product of successive changes, faded
-  double square_ = 0;   // square of changes, faded
+  int seen_ = 0;        // number of windows so far, at most three
+  Field velocity_;      // velocity in the last window
+  Field acceleration_;  // acceleration from the window before into the last one
+  Field change_;        // last change of the acceleration
+  double product_ = 0;  // sum of the products of successive changes, weighted with the memory
+  double square_ = 0;   // sum of the squares of the changes, weighted likewise
 };
 
 }  // namespace cosurge

@@ -8,7 +8,7 @@
 namespace cosurge {
 namespace {
 
-/// The note of the GNU linker in a segment of notes; empty where it is not there.
+/// The build ID (a note of the GNU linker) in a segment of notes; empty if there is none.
 std::string note_in(const char* bytes, std::size_t size) {
   const auto padded = [](std::size_t length) { return (length + 3) / 4 * 4; };
   while (size >= sizeof(ElfW(Nhdr))) {
@@ -29,7 +29,7 @@ std::string note_in(const char* bytes, std::size_t size) {
   return {};
 }
 
-/// Whether the object has this function in one of its segments.
+/// Whether an object contains this function in one of its segments.
 bool holds_this_code(const dl_phdr_info& object) {
   const auto here = reinterpret_cast<ElfW(Addr)>(&holds_this_code);
   for (int k = 0; k < object.dlpi_phnum; ++k) {
@@ -40,7 +40,7 @@ bool holds_this_code(const dl_phdr_info& object) {
   return false;
 }
 
-/// Of the object that computes: the library where it is shared, else the program.
+/// The object with this code: the shared library, otherwise the program.
 int look(dl_phdr_info* object, std::size_t, void* result) {
   if (!holds_this_code(*object)) return 0;
   for (int k = 0; k < object->dlpi_phnum; ++k) {

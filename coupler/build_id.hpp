@@ -5,9 +5,9 @@
 
 namespace cosurge {
 
-/// The number that the linker has made from the contents of what computes (the library where it is shared,
-/// else this program), in hexadecimal: another one where any source or compiler option differs. Empty where
-/// it has none.
+/// The build ID of the library, or of the program if it contains the library, in hexadecimal: the linker
+/// computes it from the contents, so that it differs where any source or compiler option differs. Empty if
+/// there is none.
 std::string build_id();
 
 }  // namespace cosurge

@@ -7,7 +7,7 @@
 
 namespace cosurge {
 
-/// With all its defaults, and the names of the case file.
+/// The case with all defaults as JSON, with the names of the case file.
 std::string as_json(const v1::Case& the_case);
 
 }  // namespace cosurge

@@ -22,7 +22,7 @@ constexpr double rounding = 1e-9;    // relative tolerance for values that may d
 constexpr double linear = 1e-3;      // relative tolerance where the structure is linear: loads are small
 constexpr double small_load = 1e-3;  // [N]
 
-/// One start of the program, with which the coupler speaks as in a run.
+/// One start of the program, with the coupler's end of the connection as in a run.
 struct Trial {
   explicit Trial(const CertifyOptions& options)
       : the_case(scene_for(options, folder.path())),
@@ -76,7 +76,7 @@ void expect_same(const InterfaceState& a, const InterfaceState& b, const std::st
   require(a.load.force == b.load.force && a.load.pressure == b.load.pressure, "{}: the load differs", what);
 }
 
-// Runs that are right
+// Correct runs
 
 void comes_and_goes(const CertifyOptions& options) {
   Trial trial(options);
@@ -152,7 +152,7 @@ void stays_at_rest_without_load(const CertifyOptions& options) {
           "moves without load or gravity");
 }
 
-/// Maxwell and Betti: a load on j moves i as much as the same load on i moves j. This
+/// Maxwell and Betti's theorem: a load on point j moves point i as much as the same load on i moves j. It
 /// holds if loads are mapped with the transpose of the motion's mapping.
 void answers_by_the_transpose(const CertifyOptions& options) {
   const auto response = [&](Eigen::Index loaded) {
@@ -175,8 +175,8 @@ void answers_by_the_transpose(const CertifyOptions& options) {
           by_i(0, j) / small_load, by_j(0, i) / small_load);
 }
 
-/// The mean velocity is the displacement over the window, and the work that the solid reports is what the
-/// points have.
+/// Checks that the mean velocity is the displacement over the window, and that the work that the solid
+/// reports equals the work at the points.
 void moves_and_works_consistently(const CertifyOptions& options) {
   Trial trial(options);
   double work = 0;
@@ -197,7 +197,7 @@ void moves_and_works_consistently(const CertifyOptions& options) {
               trial.report.values[k], work);
 }
 
-// Runs that are wrong
+// Incorrect runs
 
 void accepts_a_refusal(const CertifyOptions& options) {
   Abuse abuse(options);
@@ -230,7 +230,7 @@ void refuses_a_number_that_was_left_out(const CertifyOptions& options) {
   abuse.expect_failure(true);
 }
 
-/// A window in which something is wrong with the numbers.
+/// A window with invalid numbers.
 void refuses_a_window_with(const CertifyOptions& options,
                            const std::function<void(google::protobuf::RepeatedField<double>&)>& spoil) {
   Abuse abuse(options);

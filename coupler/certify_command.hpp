@@ -15,9 +15,9 @@ struct CertifyOptions {
   double patience = 30;  ///< longest wait for an answer [s]
 };
 
-/// Starts the program again and again, leads it through runs that are right and runs that are wrong, and
-/// prints one line a check. A solid gets the points of a plate of 12 mm x 80 mm, a fluid has to make its own
-/// in a small dam break. Returns 0 when all hold, 1 otherwise.
+/// Starts the program repeatedly with correct and incorrect runs, and prints one line per check. A solid gets
+/// the points of a plate of 12 mm x 80 mm; a fluid creates its own points in a small dam break. Returns 0 if
+/// all checks pass, 1 otherwise.
 int certify_command(const CertifyOptions& options);
 
 }  // namespace cosurge

@@ -147,8 +147,8 @@ Snapshot snapshot(const H5::H5File& file, const std::string& member, hsize_t ind
   return arrays;
 }
 
-/// Checks that rows end where the checkpoint does; those of another run do not. The end of a window differs
-/// from the time of its frame by rounding of a sum.
+/// Checks that the histories end at the time of the checkpoint, which those of another run do not. The end of
+/// a window differs from the time of its frame by the rounding error of a sum.
 void require_same_end(const std::vector<std::vector<double>>& columns, const Checkpoint& checkpoint) {
   if (checkpoint.windows == 0) return;
   const double time = columns[0].back(), window = columns[1].back();
@@ -174,7 +174,7 @@ void replay_file(const H5::H5File& file, const Checkpoint& checkpoint, Recorder&
   const std::vector<double>& ends = columns[0];
   const std::vector<double>& windows = columns[1];
   for (std::size_t frame = 0; frame < frame_times.size(); ++frame) {
-    // No frame lies within a window: half of one is more than any rounding.
+    // No frame lies within a window: half a window is more than any rounding error.
     while (row < ends.size() && ends[row] - 0.5 * windows[row] < frame_times[frame]) next_row();
     std::vector<Snapshot> snapshots;
     for (const Member& member : recorder.members())
@@ -197,7 +197,7 @@ void Checkpoint::write(const std::filesystem::path& folder) const {
   head.put(time);
   head.put(windows);
   head.put(frames);
-  head.put(static_cast<std::uint64_t>(state.size()));  // as a string is put, but that it is not copied
+  head.put(static_cast<std::uint64_t>(state.size()));  // written as put(string) does, without a copy
   const std::string content = head.take();
   StateWriter seal;
   seal.put(static_cast<std::uint64_t>(content.size() + state.size()));

@@ -13,14 +13,14 @@ struct Checkpoint {
   static constexpr const char* name = "checkpoint";
   static constexpr const char* name_before = "checkpoint.old";  ///< name of the previous checkpoint
 
-  /// A solver of the run; its state is for the same program only.
+  /// A solver of the run; its state can be restored by the same program only.
   struct Solver {
     std::string name;  ///< "fluid" or "solid"
     std::string program;
     std::string version;
   };
 
-  std::string build;  ///< that wrote it
+  std::string build;  ///< build ID of the program that wrote it
   std::vector<Solver> solvers;
   v1::Case the_case;
   double time = 0;            ///< [s]
@@ -28,19 +28,19 @@ struct Checkpoint {
   std::uint64_t frames = 0;   ///< frames at that time
   std::string state;          ///< Coupler::save()
 
-  /// Replaces the checkpoint of `folder` in one go, and keeps the one before. @throws Error when it cannot be
-  /// written.
+  /// Replaces the checkpoint of `folder` atomically, and keeps the previous one. @throws Error if it cannot
+  /// be written.
   void write(const std::filesystem::path& folder) const;
 
-  /// The last one; if it is damaged, the previous one is used, with a warning. Warns where it
-  /// is of another build of the same version.
+  /// The last checkpoint; if it is damaged, the previous one, with a warning. Also warns if it was written by
+  /// another build of the same version.
   /// @throws Error when there is none, none is whole, or it is of another version of Cosurge.
   static Checkpoint read(const std::filesystem::path& folder);
 
   /// The content of one file. @throws Error if it is damaged or of another version.
   static Checkpoint read_file(const std::filesystem::path& path);
 
-  /// @throws Error unless `members` are the programs that the state is of.
+  /// @throws Error unless `members` are the programs whose states it contains.
   void require_same_programs(const std::vector<Member>& members) const;
 };
 

@@ -10,8 +10,7 @@
 namespace cosurge {
 namespace {
 
-/// Of the histories of deflection, one of each modal structure, the one with the largest value; null if there
-/// is none.
+/// The deflection history with the largest value among those of all modal structures; null if there is none.
 const History* largest_deflection(const std::vector<History>& histories) {
   const History* largest = nullptr;
   for (const History& history : histories) {
@@ -22,7 +21,7 @@ const History* largest_deflection(const std::vector<History>& histories) {
   return largest;
 }
 
-/// A linear model that has left its range.
+/// Warning that a linear model was used beyond its range.
 void warn_of_deflection(const Recorder& recorder) {
   constexpr double small = small_deflection;
   const History* deflection = largest_deflection(recorder.histories());
@@ -60,7 +59,7 @@ void attempt(Outcome& outcome, const std::function<void()>& write) {
   }
 }
 
-/// How to go on with a run that has not finished. A computation that has broken down would do so again.
+/// How to continue a run that has not finished; empty after a failed computation, which would fail again.
 void advise(const std::filesystem::path& folder, bool broken_down, double checkpoint_time) {
   if (!std::filesystem::exists(folder / Checkpoint::name))
     say("there is no checkpoint to resume from: run the case again with another --out\n");

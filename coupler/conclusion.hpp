@@ -17,9 +17,9 @@ constexpr double small_deflection = 0.05;
 bool is_largest_deflection(const std::string& history);
 
 /// Writes the recorded data and the summary, as far as the disk accepts them, and prints the result of the
-/// run: remarks first; the last lines are its end with the reason and, unless it is finished, how to resume
-/// it. If something cannot be written, `outcome` has the reason afterwards. `quiet`: of a finished run only
-/// the remarks.
+/// run: first the remarks, then its end with the reason and, unless it is finished, how to resume it. If
+/// something cannot be written, `outcome` gets the reason. `quiet`: for a finished run only the remarks are
+/// printed.
 /// @param checkpoint_time of the last checkpoint [s]
 void conclude(const std::filesystem::path& folder, const Coupler& coupler, Recorder& recorder,
               double checkpoint_time, Outcome& outcome, bool quiet = false);

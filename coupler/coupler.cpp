@@ -11,7 +11,7 @@
 namespace cosurge {
 namespace {
 
-/// Two histories of one name have no place in the results.
+/// @throws Error if two columns have the same name.
 void require_different(const std::vector<Column>& columns, const std::string& solver) {
   std::set<std::string> names;
   for (const Column& column : columns)
@@ -45,7 +45,7 @@ void Coupler::take_in(const std::string& name, const Participant& participant, c
   largest_ = std::min(largest_, setup.window);
 }
 
-/// Those that are there, the fluid first.
+/// The participants of the case, the fluid first.
 std::vector<Participant*> Coupler::all() const {
   std::vector<Participant*> all;
   if (participants_.fluid != nullptr) all.push_back(participants_.fluid);
@@ -90,7 +90,7 @@ void Coupler::pass(const Window& window) {
   waiting_.push_back({.window = window, .reports = std::move(reports), .values = values()});
 }
 
-/// The windows that wait stand: nothing goes back before here.
+/// Settles the waiting windows: later windows cannot go back beyond this state.
 void Coupler::settle(const Observers& observers) {
   tell(observers);
   settled_.clear();

@@ -10,21 +10,21 @@
 
 namespace cosurge {
 
-/// Runs a case with participants that may be anything.
+/// Runs a case with any participants.
 class Coupler {
  public:
   /// Initializes the participants, the fluid first: its points are the interface.
   Coupler(const v1::Case& the_case, Participants participants);
 
-  /// All windows from the present state until the end, or until `stop` returns true. Returns whether the end
-  /// was reached. A scheme may have windows gone through again, back to the last settled one or to the last
-  /// frame; a run that is stopped goes back there.
+  /// Computes all windows from the present state until the end, or until `stop` returns true. Returns whether
+  /// the end was reached. A scheme may repeat windows, back to the last settled one or to the last frame; a
+  /// stopped run goes back to the same state.
   /// @throws exceptions of the participants; observers have seen all windows before.
   bool run(const std::vector<Observer*>& observers, const std::function<bool()>& stop);
 
-  /// The state of the whole run between two windows, participants included: a new Coupler of the same case
-  /// that restores it goes on bit for bit. With another scheme than the one that the state was saved with,
-  /// the scheme starts anew.
+  /// The state of the whole run between two windows, participants included. A new Coupler of the same case
+  /// that restores it continues with bit-identical results. If the scheme differs from that of the saved
+  /// state (`same_scheme` false), the scheme starts anew.
   std::string save() const;
   void restore(const std::string& state, bool same_scheme = true);
 
@@ -69,11 +69,11 @@ class Coupler {
   std::unique_ptr<Scheme> scheme_;
   InterfaceAccount account_;
   std::uint64_t unconverged_ = 0;
-  std::vector<std::string> notes_;  // since this coupler was made
+  std::vector<std::string> notes_;  // decisions of the scheme since this coupler was made
   bool began_ = false;              // the frame at the start has been shown
-  double largest_ = 0;              // next window that all participants can do [s]
+  double largest_ = 0;              // largest next window that all participants accept [s]
   std::vector<Row> waiting_;        // windows that are not settled
-  std::string settled_;             // the state where they began, without the scheme's; empty: none may wait
+  std::string settled_;             // state before the waiting windows, without the scheme's; may be empty
   std::string settled_scheme_;
 };
 

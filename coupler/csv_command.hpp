@@ -12,8 +12,8 @@ struct CsvOptions {
   std::string out;                   ///< the table; empty: standard output
 };
 
-/// Writes one row a window: the time, its length and the histories, parted by commas, with a header of names
-/// and units ("fluid/front [m]"). Numbers have all their digits. Works during the run.
+/// Writes one row per window: the time, the window size and the histories, separated by commas, with a header
+/// of names and units ("fluid/front [m]"). Numbers have full precision. Can be used during the run.
 /// @throws Error where there are no results, no such column, or the table exists or cannot be written.
 void csv_command(const CsvOptions& options);
 

@@ -21,7 +21,8 @@ struct Fault {
 std::vector<Fault> faults_of(const std::vector<std::string>& texts, const std::vector<std::string>& solvers,
                              double end, const std::vector<std::string>& elsewhere);
 
-/// To be called between two windows: lets those fail whose time has come, says so, and removes them.
+/// Call it between two windows: triggers the faults that are due, prints them, and removes them from the
+/// list.
 void let_fail(std::vector<Fault>& faults, Simulation& simulation);
 
 }  // namespace cosurge

@@ -9,7 +9,7 @@
 
 namespace cosurge {
 
-/// Rows that wait to be written, and what the summary wants to know of all rows. NaN counts as no value.
+/// Rows that have not been written yet, and the extremes of all rows for the summary. NaN counts as no value.
 class History {
  public:
   struct Extreme {

@@ -14,18 +14,18 @@ class InterfaceAccount {
  public:
   explicit InterfaceAccount(bool ramped) : ramped_(ramped) {}
 
-  /// Before the solid gets the new load of a window.
+  /// Call it before the solid gets the new load of a window.
   void open(const InterfaceState& interface);
 
-  /// After the solid has moved. The load goes from f0 to f over the window on a ramp s: the work is
-  /// f0 . (du - m) + f . m with m the integral of s du; a held load is f all the while. `seen` is the
-  /// velocity that the water had for the load.
+  /// Call it after the solid has moved. The load changes from f0 to f over the window with the ramp s: the
+  /// work is f0 . (du - m) + f . m, with m the integral of s du (docs/method.md, eq. 16c); a held load is f
+  /// over the whole window. `seen` is the velocity that the water used.
   void close(const InterfaceState& interface, const Field& seen, const Window& window);
 
   double work() const { return work_; }                  ///< done on the solid so far [J]
-  double seen_work() const { return seen_work_; }        ///< the same by the fluid's account [J]
+  double seen_work() const { return seen_work_; }        ///< work on the motion that the water used [J]
   double created() const { return work_ - seen_work_; }  ///< energy created by the coupling scheme [J]
-  double passed() const { return passed_; }              ///< work of all windows, without signs [J]
+  double passed() const { return passed_; }              ///< sum of the absolute work of all windows [J]
   Eigen::VectorXd force() const { return load_.rowwise().sum(); }  ///< on the solid, in the last window [N]
 
   /// Limit of created() / passed() for a stable scheme. Stable runs stay below 0.01; unstable runs that are
@@ -43,8 +43,8 @@ class InterfaceAccount {
   double work_ = 0;
   double seen_work_ = 0;
   double passed_ = 0;
-  Field load_;          // in the last window
-  Field displacement_;  // at its start
+  Field load_;          // load in the last window
+  Field displacement_;  // displacement at the start of the last window
 };
 
 }  // namespace cosurge

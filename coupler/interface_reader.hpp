@@ -23,8 +23,8 @@ class InterfaceReader : public StateReader {
     value = byte == 1;
   }
 
-  /// Reads a field that put_sized() wrote. False where it is empty, since nothing was known when it was
-  /// saved.
+  /// Reads a field that put_sized() wrote. Returns false if it is empty, which means that the value was
+  /// unknown when it was saved.
   /// @throws Error where it has another number of directions or points than the interface.
   bool get_field(Field& field) {
     get_sized(*this, field);

@@ -32,7 +32,7 @@ void note(int signal) {
 
 void note_interruptions() {
   for (const int signal : {SIGINT, SIGTERM, SIGUSR1, SIGUSR2, SIGXCPU, SIGPIPE}) std::signal(signal, note);
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that may grow no further is told by the write that fails
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may grow no further is reported by the failing write
   if (std::signal(SIGHUP, note) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
 }
 

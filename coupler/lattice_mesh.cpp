@@ -56,7 +56,7 @@ class LatticeMesh {
     int body;
   };
 
-  /// Unless the particle stands on no site of a body.
+  /// Returns the site of a particle; nothing if the particle stands on no site of a body.
   void add(const float* values, std::size_t number) {
     constexpr double near = 0.01;  // [spacings] tolerance for positions rounded to float
     Site<dim> site;

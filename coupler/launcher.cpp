@@ -55,7 +55,7 @@ Solver Solver::by_hand(Role role, const Wiring& wiring, const std::string& progr
 
 Solver Solver::thread(std::unique_ptr<Participant> participant, double patience, int threads,
                       const std::string& name) {
-  // As for a solver program: while one solver answers, the other waits.
+  // As in a solver program: while one solver computes, the other waits.
   constexpr double patience_of_solver = 3600;
   const Role role = participant->role();
   const std::string token = new_token();
@@ -70,7 +70,7 @@ Solver Solver::thread(std::unique_ptr<Participant> participant, double patience,
     try {
       serve(*served, wire, token);
     } catch (const std::exception&) {
-      // The coupler knows, or has ended the run.
+      // The coupler has been told, or has ended the run.
     }
     end.set_value_at_thread_exit();
   });
@@ -97,7 +97,7 @@ RemoteParticipant& Solver::join(int dimension, const std::vector<std::string>& c
 }
 
 void Solver::fail(SolverFault fault) {
-  constexpr double late = 5;  // [s]: longer than a peer without a sign of life is waited for
+  constexpr double late = 5;  // [s] longer than the wait for a peer without a sign of life
   if (fault == SolverFault::delay) return participant_->set_mishap({.delay = late, .damage = false});
   if (fault == SolverFault::corrupt) return participant_->set_mishap({.delay = 0, .damage = true});
   require(process_ != nullptr, "the {} solver is not a process that was started here", role_name(role_));

@@ -32,11 +32,11 @@ class Solver {
   /// Starts `command` as a child, with --connect and --threads added. `threads`: 0 leaves it to OpenMP.
   static Solver process(Role role, const Wiring& wiring, Command command, int threads);
 
-  /// Serves a participant in a thread of this process. `name`: as in Wiring.
+  /// Runs a participant in a thread of this process. `name`: as in Wiring.
   static Solver thread(std::unique_ptr<Participant> participant, double patience, int threads,
                        const std::string& name = {});
 
-  /// Waits for somebody to type how_to_start().
+  /// A solver that a person starts by the command how_to_start().
   static Solver by_hand(Role role, const Wiring& wiring, const std::string& program);
 
   Solver(Solver&&) noexcept;
@@ -45,7 +45,7 @@ class Solver {
   /// The command that starts the solver by hand.
   const std::string& how_to_start() const { return how_to_start_; }
 
-  /// Must be called ten times a second while another solver is joined: see Channel.
+  /// Must be called ten times a second while another solver is joined (Channel::turn_away_strangers).
   void turn_away_strangers() {
     if (channel_) channel_->turn_away_strangers();
   }
@@ -55,23 +55,22 @@ class Solver {
   RemoteParticipant& join(int dimension, const std::vector<std::string>& capabilities,
                           Channel::Cancelled cancelled = {});
 
-  /// After join().
+  /// The connected solver, after join().
   RemoteParticipant& participant() { return *participant_; }
   const RemoteParticipant& participant() const { return *participant_; }
 
-  /// Lets it fail, after join(). @throws Error where it is not a process that was started here, but must be.
+  /// Makes the solver fail, after join(). @throws Error if the fault needs a process that was started here.
   void fail(SolverFault fault);
 
   /// Tells the solver that the run is over, and why, if it has not ended. Does not wait.
   void tell(const std::string& reason);
 
-  /// Ends the solver if it has not ended: tells it why, waits `grace`, then uses force on a process. True
-  /// where it had ended without an error (always, for one started by hand).
+  /// Ends the solver if it has not ended: tells it why, waits `grace`, then kills a process. Returns true if
+  /// it ended without an error (always, for one started by hand).
   bool stop(const std::string& reason, std::chrono::milliseconds grace);
 
-  /// As stop(), but in a fraction of a second whatever the solver does: a process that has not ended after
-  /// `grace` is killed, a thread is left behind. False for such a thread: this program must then end without
-  /// a look back (std::_Exit).
+  /// Like stop(), but within a fraction of a second: a process that has not ended after `grace` is killed, a
+  /// thread is left running. Returns false in the latter case: the program must then exit with _Exit.
   bool kill(const std::string& reason, std::chrono::milliseconds grace);
 
  private:
@@ -84,7 +83,7 @@ class Solver {
   std::unique_ptr<SolverProcess> process_;
   std::thread thread_;
   std::future<void> thread_over_;     // ready at the end of the thread
-  std::unique_ptr<Channel> channel_;  // until join()
+  std::unique_ptr<Channel> channel_;  // set until join()
   std::unique_ptr<RemoteParticipant> participant_;
 };
 

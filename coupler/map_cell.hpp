@@ -15,13 +15,14 @@ class MapCell {
   /// `settings`: "key=value" of each key; they name the file in `folder`.
   MapCell(const std::filesystem::path& folder, const std::vector<std::string>& settings);
 
-  /// Everything that a row depends on: the case with all its values and tables, and the build.
+  /// Everything that a table row depends on: the case with all its values and tables, and the build.
   static std::string identity(const v1::Case& the_case);
 
-  /// Whether the row of these settings and this identity is there.
+  /// Whether the table row of these settings and this identity exists.
   bool has(const std::string& identity) const;
 
-  /// An empty identity: the row is not taken over by another map. @throws Error when it cannot be written.
+  /// Writes the table row. With an empty identity it is not reused by another map. @throws Error if it cannot
+  /// be written.
   void write(const std::string& identity, const std::string& row) const;
 
   std::string row() const;  ///< empty if there is no row

@@ -45,10 +45,10 @@ std::string refusal(const std::string& reason) {
   return "refused,0,0,0,0,0,0,0,0,0,0,0,0," + quoted_cell(reason);
 }
 
-/// Whether a cell was computed to some end: neither refused nor blown up.
+/// Whether a cell was computed: it was neither rejected nor failed.
 bool has_run(const std::string& row) { return !row.starts_with("refused") && !row.starts_with("blown_up"); }
 
-/// The row of a cell behind its values.
+/// The columns of a cell after the values of the keys.
 std::string run_cell(const v1::Case& the_case) {
   set_threads(1);
   Simulation simulation(the_case);
@@ -97,7 +97,8 @@ int map_command(const MapOptions& options) {
   for (const Axis& axis : axes) keys.push_back(axis.key);
   const std::string head = fmt::format("{},{}", fmt::join(keys, ","), columns);
   const auto grid = combinations(axes);
-  const fs::path parts = options.out + ".cells";  // a file each, so that an interrupted map goes on
+  const fs::path parts =
+      options.out + ".cells";  // one file per cell, so that an interrupted map can continue
   fs::create_directories(parts);
   std::vector<MapCell> files;
   for (const auto& values : grid) files.emplace_back(parts, settings_of(axes, values));

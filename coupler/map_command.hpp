@@ -17,8 +17,8 @@ struct MapOptions {
   int cores = 0;     ///< runs at a time; 0: as many as the machine has
 };
 
-/// Runs every cell of the grid, each in a process of its own with one thread, without results of its own, and
-/// writes a row of the table for each: the values of the keys, then
+/// Runs every cell of the grid, each in a process of its own with one thread and without recorded results,
+/// and writes a table row for each: the values of the keys, then
 ///   state          stable, growing or draining: Swing::judgement(); blown_up: it does not reach its end;
 ///                  refused: no such case
 ///   end            reached [s]

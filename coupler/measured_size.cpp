@@ -14,7 +14,7 @@
 namespace cosurge {
 namespace {
 
-/// Lets a few windows pass and takes their time.
+/// Measures the time of a few windows.
 class Stopwatch : public Observer {
  public:
   static constexpr int warm_up = 3;

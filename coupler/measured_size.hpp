@@ -18,8 +18,8 @@ struct MeasuredSize {
   double seconds() const { return windows * seconds_per_window; }  ///< to be expected for the run
 };
 
-/// Sets the simulation up and computes its first 13 windows. The simulation must not have run, and must
-/// not run on.
+/// Sets the simulation up and computes its first 13 windows. The simulation must not have run before, and
+/// cannot continue.
 MeasuredSize measure_size(Simulation& simulation);
 
 /// Prints the size, a line for each number.

@@ -1,4 +1,4 @@
-// Who looks on while a run goes, and what is shown.
+// Observers of a run, and what they are shown.
 #pragma once
 
 #include <string>
@@ -15,17 +15,17 @@ struct Member {
   Setup setup;
 };
 
-/// What the participants said of a window, those that are there: fluid first.
+/// The reports of the participants on a window, the fluid's first.
 using Reports = std::vector<Report>;
 
 /// Progress line, results, or a watcher of one's own.
 class Observer {
  public:
   virtual ~Observer() = default;
-  /// After every window that stands: reports in the order of the members, then the coupler's own values by
-  /// Coupler::columns().
+  /// Called after every settled window: reports in the order of the members, then the coupler's own values in
+  /// the order of Coupler::columns().
   virtual void window(const Window& window, const Reports& reports, const std::vector<double>& coupling) = 0;
-  /// At every landing, and at the start: the particles of each member.
+  /// Called at the start and at the time of every frame: the particles of each member.
   virtual void frame(double /*time*/, const std::vector<Snapshot>& /*snapshots*/) {}
 };
 

@@ -33,22 +33,23 @@ int entries(const char* table) {
   return static_cast<unsigned char>(table[6]) + 256 * static_cast<unsigned char>(table[7]);
 }
 
-/// A part of the index that waits for commit().
+/// A part of the index that is kept in memory until commit().
 struct Block {
   H5FD_mem_t type;
   Bytes bytes;
 };
 
-/// HDF5 takes the first member for the whole.
+/// HDF5 handles a driver by a pointer to its first member.
 struct Driver {
   H5FD_t base{};
   int file = -1;
-  haddr_t end_of_space = 0;  // that HDF5 has given to its objects
-  haddr_t end_of_file = 0;   // on the disk
-  int failure = 0;           // errno
+  haddr_t end_of_space = 0;  // address of the end of the space that HDF5 has allocated
+  haddr_t end_of_file = 0;   // address of the end of the file on the disk
+  int failure = 0;           // errno of the first write that failed; 0: none
   std::map<haddr_t, Block> waiting;
-  std::set<haddr_t> written;           // where parts of the index lie on the disk
-  std::map<haddr_t, TableHead> split;  // heads that split tables get when the file is closed
+  std::set<haddr_t> written;  // addresses of the parts of the index that are on the disk
+  std::map<haddr_t, TableHead>
+      split;  // heads of split tables, by address, to be written when the file is closed
 };
 
 Driver& of(H5FD_t* base) { return *reinterpret_cast<Driver*>(base); }
@@ -58,11 +59,11 @@ void check(Driver& driver, bool done) {
   if (!done && driver.failure == 0) driver.failure = errno == 0 ? EIO : errno;
 }
 
-/// Size that the system writes in one go, whenever the process is killed.
+/// Size of the blocks that the operating system writes as a whole, even if the process is killed.
 constexpr haddr_t page = 4096;
 
-/// From the last page to the first. The parts of the index that change lie in one (allocate()); chunks get
-/// rows behind those that the index knows.
+/// Writes pages in descending order of their addresses. Changing parts of the index lie within one page
+/// (allocate()); chunks only get rows after those that the index refers to.
 void put(Driver& driver, haddr_t address, const char* bytes, std::size_t size) {
   haddr_t end = address + size;
   while (driver.failure == 0 && end > address) {
@@ -77,7 +78,8 @@ void put(Driver& driver, haddr_t address, const char* bytes, std::size_t size) {
   driver.end_of_file = std::max(driver.end_of_file, address + size);
 }
 
-/// Without it a failing machine may keep a later write and lose an earlier one. EINVAL: not a file of a disk.
+/// Flushes to the disk; otherwise a machine that fails may keep a later write and lose an earlier one.
+/// EINVAL: not a file on a disk.
 void reach_disk(Driver& driver) {
   if (driver.failure == 0) check(driver, fdatasync(driver.file) == 0 || errno == EINVAL);
 }
@@ -94,7 +96,8 @@ void read_disk(Driver& driver, haddr_t address, std::size_t size, char* to) {
   std::memset(to + got, 0, size - got);
 }
 
-/// Calls `action(of waiting, in waiting, in range, length)` for what both have.
+/// Calls action(bytes of a waiting block, offset in the range, length) for every overlap of a waiting block
+/// with the range.
 template <typename Action>
 void overlaps(Driver& driver, haddr_t address, std::size_t size, Action action) {
   for (auto& [place, block] : driver.waiting) {
@@ -105,10 +108,10 @@ void overlaps(Driver& driver, haddr_t address, std::size_t size, Action action) 
   }
 }
 
-/// HDF5 splits a full table: its last entries move to a new one. A reader that has read the table above
-/// before this commit does not know the new one, so the old one keeps its entries on the disk until the file
-/// is closed. Every lookup finds the right chunk: the new table above leads to the moved entries in the new
-/// table.
+/// Whether a table of chunks has lost entries since it was last written. HDF5 splits a full table by moving
+/// its last entries to a new table. A reader that has read the parent table before this commit does not know
+/// the new table, so the old table keeps its entries on the disk until the file is closed. Every lookup finds
+/// the right chunk, because the new parent table refers to the new table for the moved entries.
 bool keeps_its_entries(Driver& driver, haddr_t address, const Block& block) {
   if (!driver.written.contains(address) || !is_table(block.bytes.data(), block.bytes.size())) return false;
   TableHead head, on_disk;
@@ -120,7 +123,7 @@ bool keeps_its_entries(Driver& driver, haddr_t address, const Block& block) {
   return true;
 }
 
-/// Place in the order of a commit.
+/// Rank of a block in the order in which a commit writes.
 int rank(const Driver& driver, haddr_t address, const Block& block) {
   constexpr int levels = 256;
   if (!driver.written.contains(address)) return 0;
@@ -162,7 +165,7 @@ herr_t close_file(H5FD_t* base) {
   Driver& driver = of(base);
   commit(driver);
   for (const auto& [address, head] : driver.split) put(driver, address, head.data(), head.size());
-  // HDF5 gives back space at the end that it has not used.
+  // HDF5 frees allocated space at the end that it has not used.
   if (driver.failure == 0 && driver.end_of_file > driver.end_of_space)
     check(driver, ftruncate(driver.file, static_cast<off_t>(driver.end_of_space)) == 0);
   close(driver.file);
@@ -186,7 +189,7 @@ herr_t set_end_of_space(H5FD_t* base, H5FD_mem_t, haddr_t address) {
   return 0;
 }
 
-/// Space at the end of the file. No part of the index crosses from one page into the next.
+/// Allocates space at the end of the file. No part of the index crosses the border between two pages.
 haddr_t allocate(H5FD_t* base, H5FD_mem_t type, hid_t, hsize_t size) {
   Driver& driver = of(base);
   haddr_t begin = driver.end_of_space;
@@ -209,7 +212,7 @@ herr_t read_file(H5FD_t* base, H5FD_mem_t, hid_t, haddr_t address, std::size_t s
   Driver& driver = of(base);
   auto* bytes = static_cast<char*>(to);
   read_disk(driver, address, size, bytes);
-  for (auto table = driver.split.lower_bound(address);  // HDF5 reads whole tables
+  for (auto table = driver.split.lower_bound(address);  // HDF5 always reads complete tables
        table != driver.split.end() && table->first + sizeof(TableHead) <= address + size; ++table)
     std::memcpy(bytes + (table->first - address), table->second.data(), sizeof(TableHead));
   overlaps(driver, address, size, [&](const char* waiting, std::size_t at, std::size_t length) {
@@ -256,8 +259,9 @@ const H5FD_class_t& driver_class() {
   return description;
 }
 
-/// HDF5 would keep up to 32 MB of the index, as it lies in the file; a node of it takes 2.6 kB there and 20
-/// kB in memory. The last node of each dataset and those above it fit in.
+/// Limits HDF5's cache of the index, which would hold 32 MB of it, measured in the file; a node of the index
+/// takes 2.6 kB there and 20 kB in memory. The cache holds the last node of each dataset and its parent
+/// nodes.
 void bound_cache(hid_t access) {
   constexpr std::size_t most = std::size_t{1} << 18;
   H5AC_cache_config_t cache{};
@@ -278,7 +282,7 @@ H5::FileAccPropList OrderedFile::access() {
   static const hid_t driver = H5FDregister(&driver_class());
   H5::FileAccPropList access;
   H5Pset_driver(access.getId(), driver, nullptr);
-  H5Pset_meta_block_size(access.getId(), 0);  // each part of the index asks allocate()
+  H5Pset_meta_block_size(access.getId(), 0);  // so that each part of the index is allocated by allocate()
   bound_cache(access.getId());
   return access;
 }

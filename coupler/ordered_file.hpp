@@ -17,8 +17,8 @@ namespace cosurge {
 /// page of 4096 bytes, which the system writes in one go: datasets may have three dimensions. It holds for
 /// files that grow: nothing is moved or removed.
 ///
-/// After a write that failed nothing more reaches the file, and HDF5 is told that all went well, since it
-/// cannot close a file otherwise; failure() has the reason.
+/// After a failed write nothing more is written to the file. HDF5 is not told, because it could not close the
+/// file otherwise; failure() returns the reason.
 class OrderedFile {
  public:
   /// Access properties of a new file with this driver.
@@ -27,10 +27,10 @@ class OrderedFile {
   /// `file`: with these properties.
   explicit OrderedFile(const H5::H5File& file);
 
-  /// Writes to the disk what HDF5 has flushed since the last call.
+  /// Writes to the disk everything that HDF5 has flushed since the last call.
   void commit();
 
-  /// errno of the first write that failed; 0 where none has.
+  /// errno of the first write that failed; 0 if none has failed.
   int failure() const;
 
   /// Whether `path` still leads to this file: somebody may have removed or replaced it.

@@ -9,13 +9,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The folder of the file that holds this code: the library's where it is shared, else the program's.
+/// The folder of the file that contains this code: the shared library, otherwise the program.
 fs::path folder_of_this_code() {
   Dl_info object{};
   if (dladdr(reinterpret_cast<const void*>(&program_path), &object) == 0) return {};
-  // Without links: the loader may have come by /lib, which leads to /usr/lib.
+  // Symbolic links are resolved, because the loader may have used /lib, a link to /usr/lib.
   fs::path folder = fs::canonical(object.dli_fname).parent_path();
-  // The loader prefers what is built for the processor: lib/glibc-hwcaps/x86-64-v3/.
+  // The loader prefers libraries for the processor's level: lib/glibc-hwcaps/x86-64-v3/.
   if (folder.parent_path().filename() == "glibc-hwcaps") folder = folder.parent_path().parent_path();
   return folder;
 }

@@ -9,8 +9,8 @@ namespace cosurge {
 
 struct Provenance {
   std::string case_file;               ///< absolute path; empty: not known
-  std::vector<std::string> overrides;  ///< "key=value" in place of the file's
-  std::vector<std::string> changes;    ///< changes by resumptions: "t = 0.5 s: time.end: 0.5, now 1"
+  std::vector<std::string> overrides;  ///< "key=value" that replace values of the file
+  std::vector<std::string> changes;    ///< changes at resumptions: "t = 0.5 s: time.end: 0.5, now 1"
 
   /// For a new run.
   static Provenance of_case(const std::string& path, const std::vector<std::string>& overrides);

@@ -35,18 +35,18 @@ std::unique_ptr<Recorder> make_recorder(const RecordedRun& job, const Coupler& c
   try {
     recorder = make(fresh.filename());
     replay(results, job.resumption->checkpoint, *recorder);
-    recorder->flush();  // also the rows after the last frame: from here on the old file is gone
+    recorder->flush();  // writes also the rows after the last frame: the old file is replaced next
     recorder->move(results);
   } catch (...) {
     recorder.reset();
     std::error_code none;
-    fs::remove(fresh, none);  // a full disk needs the room
+    fs::remove(fresh, none);  // frees its space on a full disk
     throw;
   }
   return recorder;
 }
 
-/// All windows, and how it went.
+/// Computes all windows and returns the outcome.
 Outcome compute(const RecordedRun& job, Simulation& simulation, Recorder& recorder,
                 CheckpointWriter& checkpoints) {
   const auto by_signal = [&] {

@@ -1,4 +1,4 @@
-// A run that is recorded: results, checkpoints, summary, and what is said while it goes.
+// A run with recorded results, checkpoints and summary, and messages about its progress.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +14,7 @@
 
 namespace cosurge {
 
-/// What a run says while it goes.
+/// Which messages a run prints.
 enum class Telling {
   line,   ///< solvers, a line of progress, the end
   quiet,  ///< only warnings, and the end if the run did not finish
@@ -33,8 +33,8 @@ struct RecordedRun {
   std::function<bool()> stop = interrupted;  ///< asked after every window
 };
 
-/// Runs a simulation whose participants are chosen, with results in the folder. Failures of the computation
-/// are in the outcome. @throws Error when the run cannot start.
+/// Runs a simulation whose participants are chosen, and records results in the folder. If the computation
+/// fails, the outcome has the reason. @throws Error if the run cannot start.
 Outcome run_recorded(Simulation& simulation, const RecordedRun& job);
 
 }  // namespace cosurge

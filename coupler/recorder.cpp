@@ -17,7 +17,7 @@ namespace cosurge {
 namespace {
 
 constexpr std::size_t few_frames = 100;  // up to which the XDMF file is so short that it is always written
-constexpr int rest = 50;  // times as long as writing the XDMF takes passes before it is written again: 2 %
+constexpr int rest = 50;  // least time between two writings of the XDMF file, over the time that one takes
 
 std::string without_prefix(const std::string& name, const std::string& owner) {
   return name.starts_with(owner + "_") ? name.substr(owner.size() + 1) : name;
@@ -46,8 +46,8 @@ std::vector<XdmfArray> arrays_of(const std::string& member, const Snapshot& firs
   return arrays;
 }
 
-/// Checks that a frame has the arrays of the first one, in any order: else they would be of unequal length in
-/// the results. @throws Error
+/// Checks that a frame has the arrays of the first one, in any order; otherwise the arrays in the results
+/// would have different lengths. @throws Error
 void require_same_arrays(const XdmfCloud& cloud, const Snapshot& now) {
   const std::vector<XdmfArray> arrays = arrays_of(cloud.name, now);
   require(arrays.size() == cloud.arrays.size(),

@@ -43,11 +43,11 @@ class Recorder : public Observer {
   /// The same with one value a history, in their order.
   void row(const std::vector<double>& values);
 
-  /// One frame, in the order of the members; afterwards all that was recorded is on disk. The XDMF file,
-  /// which is as long as there are frames and is written as a whole, follows so that it takes a fiftieth of
-  /// the time at most: at once where frames are few or rare, and at flush(). An array's name loses the
-  /// member's name in front: "solid_position" is /frames/solid/position. The structure gets its displacement
-  /// since the first frame as an array of its own.
+  /// Records one frame, in the order of the members. Afterwards everything recorded is on the disk, except
+  /// the XDMF file: its length grows with the number of frames and it is written as a whole, so it is written
+  /// only as often as a fiftieth of the time allows, and at flush(). The member's name at the front of an
+  /// array's name is removed: "solid_position" becomes /frames/solid/position. The structure gets an
+  /// additional array with its displacement since the first frame.
   void frame(double time, const std::vector<Snapshot>& sent) override;
 
   void flush();
@@ -78,7 +78,7 @@ class Recorder : public Observer {
   v1::Case case_;
   std::vector<Member> members_;
   ResultFile file_;
-  std::vector<History> histories_;  // time, window, then in the order of reports and coupling values
+  std::vector<History> histories_;  // in the order of the rows: time, window, reports, coupling values
   std::vector<double> frame_times_;
   std::vector<XdmfCloud> clouds_;
   std::vector<float> undeformed_;  // positions of the structure in the first frame

@@ -11,7 +11,7 @@
 namespace cosurge {
 namespace {
 
-/// Writes all of `text`. False where the system does not take it; errno says why.
+/// Writes all of `text`. Returns false if the system rejects it; errno has the reason.
 bool write_all(int file, std::string_view text) {
   while (!text.empty()) {
     const ssize_t written = ::write(file, text.data(), text.size());
@@ -21,7 +21,8 @@ bool write_all(int file, std::string_view text) {
   return true;
 }
 
-/// Without it a failing machine may keep the new name and lose the text. EINVAL: not a file of a disk.
+/// Flushes to the disk; otherwise a machine that fails may keep the new name and lose the text. EINVAL: not a
+/// file on a disk.
 bool reaches_disk(int file) { return ::fsync(file) == 0 || errno == EINVAL; }
 
 }  // namespace
@@ -29,7 +30,7 @@ bool reaches_disk(int file) { return ::fsync(file) == 0 || errno == EINVAL; }
 void replace_file(const std::filesystem::path& path, std::initializer_list<std::string_view> parts) {
   const std::filesystem::path fresh = path.string() + ".new";
   const auto reason = [](int cause) { return std::generic_category().message(cause); };
-  // One that was cut off is removed; written anew, it cannot be a link to another file.
+  // Removes an incomplete earlier file; created anew, it cannot be a link to another file.
   ::unlink(fresh.c_str());
   const int file = ::open(fresh.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   const int refused = errno;
@@ -40,7 +41,7 @@ void replace_file(const std::filesystem::path& path, std::initializer_list<std::
   const int cause = errno;
   ::close(file);
   std::error_code renamed;
-  if (!written) std::filesystem::remove(fresh, renamed);  // a full disk needs the room
+  if (!written) std::filesystem::remove(fresh, renamed);  // frees its space on a full disk
   require(written, "{}: cannot be written: {}", fresh.string(), reason(cause));
   std::filesystem::rename(fresh, path, renamed);
   require(!renamed, "{}: cannot be replaced: {}", path.string(), renamed.message());

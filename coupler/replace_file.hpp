@@ -1,4 +1,4 @@
-// Text files that readers see whole.
+// Text files that are replaced as a whole.
 #pragma once
 
 #include <filesystem>
@@ -7,8 +7,8 @@
 
 namespace cosurge {
 
-/// Writes `parts` one behind the other beside `path` and renames: whoever opens `path`, at any time, gets the
-/// old text or the new.
+/// Writes the concatenated `parts` to a new file beside `path` and renames it: a reader of `path` gets either
+/// the old or the new text.
 /// @throws Error when it cannot be written.
 void replace_file(const std::filesystem::path& path, std::initializer_list<std::string_view> parts);
 

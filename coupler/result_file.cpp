@@ -60,7 +60,8 @@ std::vector<double> first_rows(const H5::DataSet& series, hsize_t rows) {
 std::string text_of(const H5::Attribute& attribute) {
   const bool one =
       attribute.getTypeClass() == H5T_STRING && attribute.getSpace().getSimpleExtentNpoints() == 1;
-  require(one, "the attribute {} is not one text", attribute.getName());  // HDF5 would read beyond the end
+  require(one, "the attribute {} is not one text",
+          attribute.getName());  // otherwise HDF5 would read beyond its end
   std::string text;
   attribute.read(attribute.getStrType(), text);
   return text;
@@ -107,7 +108,8 @@ H5::DataSet ResultFile::create(const std::string& name, const std::string& unit,
                                const H5::DataSpace& space, const H5::DSetCreatPropList& layout) {
   H5::LinkCreatPropList link;
   link.setCreateIntermediateGroup(true);
-  // Rows go to the last chunk, frames to new ones: HDF5 would keep 1 MB of old ones for each dataset.
+  // Rows are added to the last chunk, frames to new ones: no old chunks are cached (HDF5 would keep 1 MB for
+  // each dataset).
   H5::DSetAccPropList access;
   access.setChunkCache(cached_slots, cached_bytes, 1);
   H5::DataSet dataset = file_.createDataSet(name, type, space, layout, access, link);
@@ -200,7 +202,8 @@ void ResultFile::flush() {
   require_place();
 }
 
-/// A file without a name is lost at the end of the program.
+/// Writes the file under a new name if it was removed; a file without a name is lost at the end of the
+/// program.
 void ResultFile::require_place() {
   if (displaced_.empty() && !order_->lies_at(path_)) {
     displaced_ = order_->copy_to(path_)

@@ -18,22 +18,21 @@ namespace cosurge {
 /// Lengths of a dataset's dimensions.
 std::vector<hsize_t> extent(const H5::DataSet& dataset);
 
-/// The first `rows` numbers of a series that has so many. @throws Error where it has more dimensions than
-/// one.
+/// The first `rows` numbers of a series, which must have as many. @throws Error if it has more than one
+/// dimension.
 std::vector<double> first_rows(const H5::DataSet& series, hsize_t rows);
 
 /// An attribute that is one text. @throws Error where it is something else.
 std::string text_of(const H5::Attribute& attribute);
 
-/// A file that grows. What was there at the last flush() can be read by any HDF5 reader at any time: during
-/// the run, during a flush, and after it was killed. For that
-/// - the writer takes no lock, and writes the oldest format, which knows no mark "open for writing";
-/// - the file's index changes on disk in flush() only, in a safe order (ordered_file.hpp). Within it one
-/// dataset may be longer than another; what each has is right;
-/// - nothing that the index on disk points at is moved: series are not compressed, and frames are written
+/// The HDF5 file of a run, which grows. Its content at the last flush() can be read by any HDF5 reader at any
+/// time: during the run, during a flush, and after the process was killed. For this purpose
+/// - the writer takes no lock, and uses the oldest format, which has no mark "open for writing";
+/// - the index of the file changes on the disk only in flush(), in a safe order (ordered_file.hpp); during a
+/// flush some datasets may be longer than others, but all their values are valid;
+/// - nothing that the index on the disk refers to is moved: series are not compressed, and frames are written
 /// once.
-/// All calls throw Error when the file cannot be written, and again from then on; what was flushed before
-/// stays readable.
+/// After a failed write all calls throw Error; what was flushed before stays readable.
 class ResultFile {
  public:
   /// @throws Error when `path` exists.
@@ -49,7 +48,7 @@ class ResultFile {
   /// The same in rows of `columns` numbers.
   void put(const std::string& name, const std::vector<int>& numbers, int columns);
 
-  /// A number a row; append() makes it longer.
+  /// A series with one number per row; append() extends it.
   void add_series(const std::string& name, const std::string& unit);
   void append(const std::string& name, std::span<const double> rows);
 
@@ -59,8 +58,8 @@ class ResultFile {
   /// Renames it, and replaces an existing file.
   void move(const std::filesystem::path& path);
 
-  /// Afterwards all is on the disk, also where the machine fails. Where somebody has removed the file
-  /// meanwhile, it is written again under its name, and the call throws: from then on nothing can be added.
+  /// Afterwards everything is on the disk, even if the machine fails. If somebody has removed the file, it is
+  /// written again under its name and the call throws Error: nothing can be added to it.
   void flush();
 
  private:
@@ -74,7 +73,7 @@ class ResultFile {
   std::string path_;
   H5::H5File file_;
   std::optional<OrderedFile> order_;
-  std::string displaced_;  // new state of the file; empty: unchanged
+  std::string displaced_;  // copy of the state under the new name; empty: unchanged
   std::map<std::string, H5::DataSet> growing_;
 };
 

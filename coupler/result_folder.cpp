@@ -22,14 +22,14 @@ bool make(const fs::path& folder) {
   return made;
 }
 
-/// Also a link to a missing file: writing to it would create a file elsewhere.
+/// True also for a link to a missing file: writing to it would create a file elsewhere.
 bool is_taken(const fs::path& path) { return fs::exists(fs::symlink_status(path)); }
 
 bool holds_a_run(const fs::path& folder) {
   for (const char* name : {"results.h5", "results.xdmf", "summary.json", "checkpoint", "checkpoint.old"})
     for (const char* state : {"", ".new"})
       if (is_taken(folder / (std::string(name) + state))) return true;
-  std::error_code unknown;  // a folder that cannot be read is refused where it is written to
+  std::error_code unknown;  // an unreadable folder is rejected when files are written to it
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, unknown))
     if (entry.path().filename().string().ends_with("_solver.log")) return true;
   return false;

@@ -12,8 +12,8 @@
 namespace cosurge {
 namespace {
 
-// Settings that no state depends on: when windows and frames end, how pressures and loads are iterated, how
-// much may be lost.
+// Settings that may change at a resumption, because no saved state depends on them: times of windows and
+// frames, iterations of pressures and loads, and the limit of lost water.
 constexpr std::array may_change = {"time.",         "coupling.",       "output.frame_interval",
                                    "fluid.courant", "fluid.pressure.", "fluid.most_lost"};
 constexpr std::size_t most_shown = 10;  // largest number of listed differences

@@ -16,8 +16,8 @@ struct Resumption {
   Provenance provenance;
 };
 
-/// The run in a folder with values in place of those of its case. It says what it changes, and in what the
-/// case file differs from the case of the run by now.
+/// Prepares the run in a folder with changed values. Prints the changes, and the differences between the case
+/// file and the present case of the run.
 /// @throws Error, and nothing is written: where the run is finished and nothing makes it longer, where a
 /// value must not change, or where the new case is not valid.
 Resumption resumption_of(const std::filesystem::path& folder, const std::vector<std::string>& overrides);

@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 constexpr int exit_failed = 1;
 constexpr int exit_interrupted = 130;
 
-/// What follows "NAME=" in the option of this name, nothing for "NAME" alone.
+/// The text after "NAME=" in the option of this name; nothing if the option is "NAME" alone.
 std::optional<std::string> of_name(const std::vector<std::string>& texts, const std::string& name) {
   for (const std::string& text : texts) {
     if (text == name) return "";
@@ -37,7 +37,7 @@ std::optional<std::string> of_name(const std::vector<std::string>& texts, const 
   return std::nullopt;
 }
 
-/// The user's own program for a structure; empty: Cosurge's.
+/// The user's program for a structure; empty: Cosurge's own.
 std::string program_of(const RunOptions& options, const std::string& solid) {
   if (solid.empty()) return options.solid.empty() ? "" : options.solid.front();
   return of_name(options.solid, solid).value_or("");
@@ -69,8 +69,8 @@ void require_names(const RunOptions& options, const v1::Case& the_case) {
             fmt::join(solids, ", "));
 }
 
-/// Chooses who computes the fluid or a structure, and starts what computes elsewhere. `solid`: its name,
-/// where the case has several.
+/// Chooses the participant for the fluid or a structure, and starts it if it runs in another process.
+/// `solid`: name of the structure, if the case has several.
 void start(Simulation& simulation, const RunOptions& options, Role role, const std::string& solid,
            const fs::path& folder) {
   const bool fluid = role == Role::fluid;
@@ -119,7 +119,7 @@ int launch(const RunOptions& options, const RecordedRun& job) {
     const int exit_status = exit_of(run_recorded(*simulation, job));
     const bool left_behind = simulation->left_behind();
     simulation.reset();
-    if (left_behind) std::_Exit(exit_status);  // a return would destroy objects that the thread still uses
+    if (left_behind) std::_Exit(exit_status);  // returning would destroy objects that the thread still uses
     return exit_status;
   } catch (const std::exception&) {
     if (!interrupted()) throw;

@@ -29,8 +29,9 @@ struct RunOptions {
 /// @throws Error when the run cannot start: no results are written then, but the logs of the solvers stay.
 int run_command(const RunOptions& options);
 
-/// Resumes the run in the folder options.out from its checkpoint, bit-identical to a run that had never
-/// ended, or with some values changed (options.overrides). Returns and throws as run_command().
+/// Resumes the run in the folder options.out from its checkpoint. The results are bit-identical to those of
+/// an uninterrupted run, unless values are changed (options.overrides). Returns and throws like
+/// run_command().
 int resume_command(const RunOptions& options);
 
 }  // namespace cosurge

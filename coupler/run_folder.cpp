@@ -47,12 +47,12 @@ void remove_abandoned(const fs::path& parent) {
 }  // namespace
 
 RunFolder::RunFolder() {
-  // A socket's path must fit into 107 characters: a long TMPDIR is of no use here.
+  // The path of a socket is limited to 107 characters; if TMPDIR is too long, another folder is used.
   constexpr std::size_t longest = 60;
   fs::path parent = fs::temp_directory_path();
   if (parent.native().size() > longest) parent = "/tmp";
   remove_abandoned(parent);
-  constexpr int tries = 100;  // another run may take a new folder for an abandoned one before it is locked
+  constexpr int tries = 100;  // another run may remove a new folder as abandoned before it is locked
   for (int k = 0; k < tries && locked_ < 0; ++k) {
     std::string name = (parent / (std::string(prefix) + "XXXXXX")).string();
     const bool made = ::mkdtemp(name.data()) != nullptr;

@@ -9,8 +9,8 @@
 
 namespace cosurge {
 
-/// Writes to the standard output, at once, without control characters: words of cases and solvers may be in
-/// it. Whether anybody still reads it does not matter to a run.
+/// Writes to the standard output without buffering. Control characters are removed, because the text may
+/// contain words of cases and solvers. Errors are ignored: the run continues if nobody reads its output.
 template <typename... Args>
 void say(fmt::format_string<Args...> message, Args&&... args) {
   std::fputs(printable(fmt::format(message, std::forward<Args>(args)...)).c_str(), stdout);

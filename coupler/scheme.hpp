@@ -18,15 +18,16 @@ struct Participants {
 
 /// Report of a scheme on the last window.
 struct Effort {
-  int iterations = 1;     ///< times that the fluid went through it
-  double residual = 0;    ///< relative error of the velocity that the water saw
-  std::string note;       ///< decision of the scheme after the window, with its reason; usually empty
-  bool converged = true;  ///< false: a scheme that iterates has given up; the nearest iteration counts
-  bool settled = true;    ///< false: it may turn out later that the window has to be gone through again
-  bool again = false;     ///< all windows since the last settled one must be repeated with the new choice
+  int iterations = 1;   ///< number of computations of the window by the fluid
+  double residual = 0;  ///< relative error of the velocity that the water used
+  std::string note;     ///< decision of the scheme after the window, with its reason; usually empty
+  bool converged =
+      true;  ///< false: the iteration did not converge; the iterate with the smallest residual is used
+  bool settled = true;  ///< false: the window may have to be repeated later
+  bool again = false;   ///< all windows since the last settled one must be repeated with the new choice
 };
 
-/// The effort of one exchange, in which the water saw the velocity `seen` and the structure answered
+/// The effort of one exchange, in which the water used the velocity `seen` and the structure responded with
 /// `answered`.
 inline Effort one_exchange(const Field& seen, const Field& answered) {
   const double norm = answered.norm();
@@ -37,12 +38,13 @@ class Scheme {
  public:
   virtual ~Scheme() = default;
 
-  /// One window of all participants, with the `interface` at its start and then at its end; `account` gets
-  /// the load and the motion that stand in the end.
+  /// Computes one window with all participants. `interface` holds the motion and load at its start, and
+  /// afterwards at its end; `account` gets the final load and motion.
   virtual Reports advance(const Window& window, InterfaceState& interface, InterfaceAccount& account) = 0;
 
   virtual const Effort& effort() const = 0;
-  virtual bool may_go_back() const { return false; }  ///< whether there may be windows that are not settled
+  /// Whether windows may be repeated later, so that effort().settled can be false.
+  virtual bool may_go_back() const { return false; }
   virtual const AddedMassRatio& ratio() const = 0;
 
   /// The scheme's state between windows; after restore() results are bit-identical.

@@ -3,8 +3,8 @@
 
 namespace cosurge {
 
-/// A column of water on a sprung piston: its frequency, and where weak coupling fails, against theory. Prints
-/// one line a check; returns 0 when all hold, 1 otherwise. Takes seconds.
+/// Compares a column of water on a sprung piston with theory: its frequency, and the stability limit of weak
+/// coupling. Prints one line per check; returns 0 if all pass, 1 otherwise. Takes seconds.
 int selftest_command();
 
 }  // namespace cosurge

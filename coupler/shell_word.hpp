@@ -5,7 +5,7 @@
 
 namespace cosurge {
 
-/// A word of a command line as it must be typed: in quotes where a shell could read it in another way.
+/// A word of a command line as it must be typed: in quotes if a shell would interpret it otherwise.
 std::string shell_word(const std::string& word);
 
 }  // namespace cosurge

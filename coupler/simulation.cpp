@@ -32,11 +32,11 @@ constexpr milliseconds grace_at_once{200};  // the same, for a user who waits
 std::string program_name(Role role) { return fmt::format("{}_solver", role_name(role)); }
 
 int threads_of(Role role, int wanted) {
-  if (role == Role::solid) return 1;  // its loops are too short to share
+  if (role == Role::solid) return 1;  // its loops are too short for several threads
   return wanted > 0 ? wanted : static_cast<int>(std::thread::hardware_concurrency());
 }
 
-/// Who computes the fluid or a structure: an object here, or a solver elsewhere.
+/// The participant for the fluid or a structure: an object in this thread, or a solver elsewhere.
 struct Seat {
   std::string name;  // "fluid", "solid", or that of one of several structures
   std::unique_ptr<Participant> object;
@@ -57,8 +57,8 @@ class Simulation::Parts {
     for (const std::string& name : solid_names(case_)) solids_.emplace_back().name = name;
   }
 
-  /// The seat of a role, and of the structure of this name where the case has several. @throws Error where
-  /// nobody may take it.
+  /// The seat of a role and, if the case has several structures, of the structure of this name. @throws Error
+  /// if the case has no such role, or it is taken.
   Seat& free_seat(Role role, const std::string& solid) {
     require(case_.has_fluid() || role != Role::fluid, "the case has no [fluid]: nobody can compute it");
     require(case_.has_solid() || role != Role::solid, "the case has no [solid]: nobody can compute it");
@@ -78,7 +78,7 @@ class Simulation::Parts {
     return free_seat(participant->role(), solid);
   }
 
-  /// For the sockets of solvers elsewhere; there where it is needed.
+  /// The folder for the sockets of solvers elsewhere; created when it is first needed.
   const std::filesystem::path& sockets() { return (sockets_ ? *sockets_ : sockets_.emplace()).path(); }
 
   void begin() {
@@ -121,7 +121,7 @@ class Simulation::Parts {
 
   Fluid* fluid() { return dynamic_cast<Fluid*>(fluid_.participant()); }
 
-  /// All structures as one; null if there is none, or if its participant has not joined.
+  /// All structures as one solid; null if the case has none, or a participant has not joined.
   Solid* solid() {
     if (solids_.empty()) return nullptr;
     if (solids_.size() == 1) return dynamic_cast<Solid*>(solids_.front().participant());
@@ -147,7 +147,7 @@ class Simulation::Parts {
   std::function<bool()> within_window = [] { return false; };
 
  private:
-  /// The fluid's, then those of the structures.
+  /// The setup of the fluid, then those of the structures.
   std::vector<Seat*> seats() {
     std::vector<Seat*> all = {&fluid_};
     for (Seat& seat : solids_) all.push_back(&seat);
@@ -164,7 +164,7 @@ class Simulation::Parts {
                             solid.empty() ? "" : fmt::format(", not \"{}\"", solid)));
   }
 
-  /// Asked while a solver is waited for.
+  /// Called while a solver is waited for.
   bool cancelled() {
     if (joined_) return within_window();
     for (Seat* seat : seats())
@@ -176,7 +176,7 @@ class Simulation::Parts {
   std::optional<RunFolder> sockets_;
   Seat fluid_{.name = "fluid", .object = {}, .solver = {}};
   std::deque<Seat> solids_;
-  std::optional<SolidGroup> group_;  // of several structures
+  std::optional<SolidGroup> group_;  // set if the case has several structures
   std::unique_ptr<Coupler> coupler_;
   bool joined_ = false;
   bool left_behind_ = false;
@@ -202,7 +202,7 @@ void Simulation::here(std::unique_ptr<Participant> participant, const std::strin
 
 void Simulation::in_thread(std::unique_ptr<Participant> participant, const Reach& reach) {
   Seat& seat = parts_->free_seat(participant, reach.solid);
-  parts_->sockets();  // it needs none, but with the folder go those of runs that were killed
+  parts_->sockets();  // not needed here, but creating the folder removes those of runs that were killed
   const int threads = threads_of(participant->role(), reach.threads);
   seat.solver.emplace(Solver::thread(std::move(participant), reach.patience, threads, reach.solid));
 }

@@ -19,7 +19,7 @@ namespace {
 constexpr std::array summed = {"kinetic_energy", "elastic_energy",   "gravity_energy",  "interface_work",
                                "substeps",       "seconds_substeps", "seconds_mapping", "cpu_seconds"};
 
-/// Does something with a structure, whose name is put in front of what it throws.
+/// Calls a function for a structure, and puts the structure's name in front of the messages of exceptions.
 template <typename Action>
 auto with_name(const std::string& name, const Action& action) {
   try {
@@ -33,7 +33,7 @@ auto with_name(const std::string& name, const Action& action) {
   }
 }
 
-/// The points on the bodies of one structure, with the numbers that these bodies have in its own case.
+/// The points on the bodies of one structure, with the numbers of these bodies in the structure's own case.
 Interface interface_of(const v1::Case& the_case, const Interface& all, int solid,
                        std::vector<Eigen::Index>& points) {
   const int first = first_body(the_case, solid);
@@ -57,7 +57,7 @@ std::set<std::string> columns_of_probes(const v1::Case& the_case) {
   return names;
 }
 
-/// Without "solid_" in front, which some solvers write.
+/// The name without a leading "solid_", which some solvers write.
 std::string plain_name(const Array& array) {
   constexpr std::string_view prefix = "solid_";
   return array.name.starts_with(prefix) ? array.name.substr(prefix.size()) : array.name;
@@ -172,7 +172,7 @@ Report SolidGroup::advance(const Window& window, const InterfaceLoad& load, Inte
   return report;
 }
 
-/// Every tenth window: points of bodies that touch are a spacing apart.
+/// Checked every tenth window. The points of bodies that touch are a spacing apart.
 void SolidGroup::watch(const Window& window, const InterfaceMotion& motion, Report& report) {
   constexpr std::uint64_t interval = 10;  // windows
   constexpr double near = 0.5;            // spacings

@@ -12,8 +12,8 @@ namespace cosurge {
 
 /// Gives each structure of a case with several [[solid]] its own case and its points of the interface, and
 /// joins their motions, modes, columns, frames and states. The structures advance one after the other. Errors
-/// and notes begin with the name of the structure. They do not feel each other's contact: a note says where
-/// two have come into one place.
+/// and notes begin with the name of the structure. There is no contact between structures: a note reports it
+/// when two overlap.
 ///
 /// Columns get the name of the structure in front ("hull/kinetic_energy"), except those of probes; the group
 /// adds the energies, works, steps and seconds of all, under the names that a single structure has
@@ -29,7 +29,8 @@ class SolidGroup : public Solid {
   /// `solids`: in the order of the case; must outlive the group.
   explicit SolidGroup(const std::vector<Entry>& solids);
 
-  /// That of all where they are the same program; otherwise all programs, with the names of their structures.
+  /// The program of all structures if it is the same one; otherwise all programs with the names of their
+  /// structures.
   Identity identity() const override;
   Setup initialize(const v1::Case& the_case, const Interface& interface, const InterfaceLoad& load,
                    InterfaceMotion& motion) override;
@@ -44,13 +45,13 @@ class SolidGroup : public Solid {
   struct Part {
     std::string name;
     Solid* solid;
-    std::vector<Eigen::Index> points = {};  // among those of all
+    std::vector<Eigen::Index> points = {};  // indices of its points among those of all
     InterfaceLoad load = {};
     InterfaceMotion motion = {};
-    std::vector<double> values = {};  // of the last window
+    std::vector<double> values = {};  // values of the last window
   };
 
-  /// A column that all structures have: its index in each.
+  /// A column that all structures have: its index in the columns of each.
   using Sum = std::vector<std::size_t>;
 
   void add_sums(const std::vector<Setup>& setups, Setup& setup);
@@ -64,7 +65,7 @@ class SolidGroup : public Solid {
   Field places_;                      // of the points in the reference configuration [m]
   std::vector<int> structure_;        // number of the part of each point
   double spacing_ = 0;                // of the points [m]
-  std::optional<std::uint64_t> met_;  // window in which two structures were first found in one place
+  std::optional<std::uint64_t> met_;  // window in which two structures were first found to overlap
 };
 
 }  // namespace cosurge

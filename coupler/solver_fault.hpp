@@ -1,4 +1,4 @@
-// Faults of a solver that a user asks for, to see what a run does then.
+// Faults of a solver that a user requests to test a run.
 #pragma once
 
 namespace cosurge {

@@ -49,11 +49,12 @@ struct Start {
   char** environment;
   int input;
   int log;
-  int report;  // the error number of a failed exec goes here; closed by a successful one
+  int report;  // receives the error number of a failed exec; closed by a successful one
   pid_t parent;
 };
 
-/// Between fork and exec; nothing that takes a lock is allowed here, since other threads may have held it.
+/// Runs between fork and exec. No function that takes a lock is allowed here, because another thread may have
+/// held it.
 [[noreturn]] void become(const Start& start) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);         // a stopped process would keep any other signal waiting
   if (getppid() != start.parent) _exit(1);  // it died before the line above
@@ -74,7 +75,7 @@ void require_call(bool ok, int error, const std::string& subject, const char* wh
   require(ok, "{}: {}: {}", subject, what, std::strerror(error));
 }
 
-/// The last line that a log has behind `begin`, where it has one.
+/// The last line of a log after `begin`; empty if there is none.
 std::string last_line(const std::filesystem::path& log, std::uintmax_t begin) {
   std::ifstream file(log);
   file.seekg(static_cast<std::streamoff>(begin));
@@ -93,7 +94,7 @@ SolverProcess::SolverProcess(const Command& command) : log_(command.log) {
   std::vector<std::string> settings = passive_environment();
   std::vector<char*> arguments = pointers(words);
   std::vector<char*> environment = pointers(settings);
-  // A resumed run keeps the earlier output. No link is followed.
+  // Appends, so that a resumed run keeps the earlier output. Links are not followed.
   const int log = open(command.log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_NOFOLLOW | O_CLOEXEC, 0644);
   require_call(log >= 0, errno, command.log.native(), "cannot be written");
   log_begin_ = std::filesystem::file_size(log_);
@@ -152,7 +153,8 @@ bool SolverProcess::reap_within(milliseconds time) {
     int status = 0;
     const pid_t reaped = waitpid(pid_, &status, WNOHANG);
     if (reaped == pid_) status_ = status;
-    if (reaped < 0 && errno != EINTR) status_ = 1 << 8;  // taken by somebody else: exit code unknown, not 0
+    if (reaped < 0 && errno != EINTR)
+      status_ = 1 << 8;  // status taken by another wait: exit code unknown, not 0
     if (status_ || std::chrono::steady_clock::now() >= end) break;
     std::this_thread::sleep_for(milliseconds(5));
   }

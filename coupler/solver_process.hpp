@@ -18,9 +18,9 @@ struct Command {
   std::filesystem::path log;  ///< the program's output is appended to it
 };
 
-/// Owns the child from its start to its end: no process is left behind, not even when this one is killed. The
-/// child waits passively in OpenMP, reads nothing, and ignores the interrupt from the keyboard, which is the
-/// coupler's.
+/// Owns the child from its start to its end: no process is left behind, not even if this one is killed. In
+/// the child, OpenMP threads wait passively, the standard input is empty, and the interrupt signal of the
+/// keyboard is ignored, because the coupler handles it.
 class SolverProcess {
  public:
   /// Must be called by a thread that outlives the child: the system ends the child with the thread that
@@ -28,7 +28,7 @@ class SolverProcess {
   /// @throws Error where the program cannot be started.
   explicit SolverProcess(const Command& command);
 
-  /// stop() with little grace.
+  /// Calls stop() with a short grace time.
   ~SolverProcess();
 
   SolverProcess(const SolverProcess&) = delete;
@@ -36,14 +36,14 @@ class SolverProcess {
 
   pid_t pid() const { return pid_; }
 
-  /// How the child has ended, in words, with the last line of its log where it failed; nothing while it runs.
+  /// How the child has ended, in words, with the last line of its log if it failed; empty while it runs.
   std::optional<std::string> ended();
 
-  /// Waits `grace` for the child to end by itself, then asks it to (SIGTERM), then ends it (SIGKILL).
-  /// True where it has ended by itself and without an error.
+  /// Waits `grace` for the child to end by itself, then asks it to end (SIGTERM), then kills it (SIGKILL).
+  /// Returns true if it ended by itself and without an error.
   bool stop(std::chrono::milliseconds grace);
 
-  /// Waits `grace` for the child to end by itself, then ends it (SIGKILL), also where it is stopped.
+  /// Waits `grace` for the child to end by itself, then kills it (SIGKILL), even if it is stopped.
   void kill(std::chrono::milliseconds grace);
 
  private:
@@ -51,7 +51,7 @@ class SolverProcess {
 
   pid_t pid_ = -1;
   std::filesystem::path log_;
-  std::uintmax_t log_begin_ = 0;  // where this child's output begins in it
+  std::uintmax_t log_begin_ = 0;  // position in the log where this child's output begins
   std::optional<int> status_;     // as of waitpid
 };
 

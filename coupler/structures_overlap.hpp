@@ -1,4 +1,4 @@
-// Whether structures that do not feel each other have come into one place.
+// Whether structures that have no contact with each other overlap.
 #pragma once
 
 #include <optional>

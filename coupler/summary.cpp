@@ -51,7 +51,7 @@ Json seconds(const Recorder& recorder, const std::string& group) {
   return {{"phases", phases}, {"cpu", last(recorder, group + "/cpu_seconds")}};
 }
 
-/// What the histories of a group ("fluid", "solid", "solid/hull") say of its solver.
+/// The values of a solver from the histories of its group ("fluid", "solid", "solid/hull").
 void add_effort(const Recorder& recorder, const std::string& group, Json& entry) {
   const History* substeps = recorder.history(group + "/substeps");
   entry["steps"] = substeps ? Json(static_cast<std::uint64_t>(substeps->sum())) : Json(recorder.windows());
@@ -77,7 +77,7 @@ Json participants(const Recorder& recorder) {
   return participants;
 }
 
-/// How hard the two were to couple.
+/// Values of the coupling: iterations, windows that did not converge, added-mass ratio, created work.
 Json coupling(const Recorder& recorder) {
   const History* iterations = recorder.history("coupling/iterations");
   const History* ratio = recorder.history("coupling/added_mass_ratio");

@@ -14,9 +14,9 @@ namespace cosurge {
 struct Outcome {
   std::string status;        ///< "finished", "interrupted" or "failed"
   std::string reason;        ///< why it did not finish
-  bool broken_down = false;  ///< whether the computation itself has: the same run would do so again
-  double exchange_seconds =
-      std::numeric_limits<double>::quiet_NaN();  ///< that messages cost beyond computing
+  bool broken_down = false;  ///< the computation itself failed: the same run would fail again
+  double exchange_seconds = std::numeric_limits<double>::quiet_NaN();  ///< [s] wall time of the exchange of
+                                                                       ///< messages, without computing
 };
 
 /// Writes summary.json into `folder`. Unknown or non-finite values are null.

@@ -7,8 +7,8 @@
 namespace cosurge {
 namespace {
 
-constexpr double growing = 3;    // times the change of the second quarter: noise alone makes 0.5 to 5
-constexpr double turning = 0.9;  // share of a load change that the next one reverses: noise has 0.5
+constexpr double growing = 3;    // ratio to the change in the second quarter; noise alone has 0.5 to 5
+constexpr double turning = 0.9;  // share of a load change that the next one reverses; noise has 0.5
 
 double range(const std::vector<double>& values, std::size_t from) {
   if (from >= values.size()) return 0;

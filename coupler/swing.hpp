@@ -1,4 +1,4 @@
-// How a coupled run behaves, for tables that compare many.
+// Numbers that describe how a coupled run behaves, for tables that compare many runs.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace cosurge {
 
-/// Watches the load's alternation, the work and one displacement.
+/// Observes the alternation of the load, the work, and one displacement.
 class Swing : public Observer {
  public:
   /// @param coupler the coupler of the observed run
@@ -18,17 +18,18 @@ class Swing : public Observer {
 
   std::size_t windows() const { return time_.size(); }
   double end() const { return time_.empty() ? 0 : time_.back(); }  ///< [s]
-  double iterations() const;                                       ///< a window, the mean
+  double iterations() const;                                       ///< mean number of iterations per window
   double largest_ratio() const;                                    ///< largest estimated added mass ratio
 
-  /// rms change of the load from window to window in the last quarter of the run over that in the second.
+  /// rms change of the load from window to window in the last quarter of the run, over that in the second
+  /// quarter.
   double alternation() const;
-  double created() const;  ///< work that the scheme has created over all work that has passed, without signs
+  double created() const;  ///< work created by the scheme over the absolute work of all windows
 
-  /// Whether the load goes up and down from window to window in the last quarter, each change taken back by
-  /// the next, and by more than half of itself, or three times as much as in the second quarter. An
-  /// instability that suction, cut off, has bounded does the one, a young one the other; noise turns in every
-  /// second window.
+  /// Whether the load alternates from window to window in the last quarter of the run: on average each change
+  /// reverses 90 % of the one before, and the rms change exceeds half of the rms load, or three times the rms
+  /// change of the second quarter. The former happens in an instability that the cut-off of suction bounds,
+  /// the latter in a growing one. Noise reverses half of each change.
   bool alternates() const;
 
   /// Judgement of a run that has reached its end. "growing": it alternates(), or the scheme has created more
@@ -46,12 +47,12 @@ class Swing : public Observer {
   double mean_change(double from, double to) const;
   const std::vector<double>& displacement() const;
 
-  std::size_t solid_ = 0;                // among the reports
+  std::size_t solid_ = 0;                // index of the solid among the reports
   std::vector<std::size_t> components_;  // columns of the probe
   std::size_t dimension_;
   std::vector<double> time_, work_, created_, iterations_, ratio_;
-  std::vector<std::vector<double>> force_;         // a component each
-  std::vector<std::vector<double>> displacement_;  // likewise
+  std::vector<std::vector<double>> force_;         // one component each
+  std::vector<std::vector<double>> displacement_;  // one component each
 };
 
 }  // namespace cosurge

@@ -23,7 +23,7 @@ double WindowSchedule::landing() const {
   // The time is exactly that of a frame or between two; the end of an earlier case may lie between two.
   const double passed = std::floor(time_ / frame_interval_ + rounding_of_quotient);
   const double frame = (passed + 1) * frame_interval_, end = time_table_.end();
-  // Five times 0.09 is less than 0.45 in binary: what is left to the end is no window.
+  // Rounding: five times 0.09 is less than 0.45 in binary; this remainder is not a window.
   return frame < end - rounding_of_quotient * end ? frame : end;
 }
 

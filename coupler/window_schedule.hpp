@@ -7,22 +7,22 @@
 
 namespace cosurge {
 
-/// Cuts the time of a case into windows that land exactly on the frames and on the end. What is left before a
-/// landing is divided into equal windows, so that no sliver remains; fixed windows are counted, not summed
-/// up.
+/// Divides the time of a case into windows that end exactly at the frames and at the end. The remaining time
+/// before such an instant is divided into equal windows, so that no very short window remains; fixed windows
+/// are counted, not added, to avoid rounding errors.
 class WindowSchedule {
  public:
   explicit WindowSchedule(const v1::Case& the_case);
 
-  /// The next window, not longer than `largest` [s]; fixed windows do not ask. Does not advance.
+  /// The next window, not longer than `largest` [s], which fixed windows ignore. Does not advance the time.
   Window next(double largest) const;
 
-  /// The window has been computed.
+  /// Call it when the window has been computed.
   void complete(const Window& window);
 
   void save(StateWriter& state) const;
 
-  /// For a case whose windows, frames and end may have changed.
+  /// Restores the state for a case whose windows, frames and end may have changed.
   /// @throws Error where fixed windows do not reach the time that is restored.
   void restore(InterfaceReader& state);
 
@@ -40,8 +40,8 @@ class WindowSchedule {
   double frame_interval_;
   double time_ = 0;
   std::uint64_t index_ = 0;
-  std::int64_t surplus_ = 0;  // windows so far less fixed windows of this case in that time
-  std::uint64_t frames_ = 0;  // landings passed
+  std::int64_t surplus_ = 0;  // windows so far minus the number of fixed windows in that time
+  std::uint64_t frames_ = 0;  // instants of frames passed
   bool at_frame_ = true;
   bool finished_ = false;
 };

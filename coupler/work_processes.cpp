@@ -55,7 +55,7 @@ void in_processes(std::size_t count, int most, const std::function<void(std::siz
       const pid_t pid = start(next, work);
       running[pid] = next++;
     }
-    // Each by its number: this process may have children that it did not start.
+    // Waits for each by its process id, because this process may have other children.
     for (auto one = running.begin(); one != running.end();) {
       int status = 0;
       const pid_t pid = waitpid(one->first, &status, WNOHANG);

@@ -12,7 +12,7 @@ const char* topology(int corners) {
   return corners == 4 ? "Quadrilateral" : corners == 8 ? "Hexahedron" : "Polyvertex";
 }
 
-/// A name of somebody's choice, as it may stand in XML.
+/// A name that a user has chosen, escaped for XML.
 std::string escaped(const std::string& name) {
   std::string text;
   for (const char c : name) {

@@ -7,10 +7,10 @@
 
 namespace cosurge {
 
-/// An array of all frames.
+/// An array that all frames have.
 struct XdmfArray {
   std::string name;   ///< "pressure"; "position" says where the particles are
-  std::string place;  ///< in the HDF5 file: "/frames/fluid/pressure"
+  std::string place;  ///< path in the HDF5 file: "/frames/fluid/pressure"
   std::uint64_t particles;
   int components;
 };
@@ -19,8 +19,8 @@ struct XdmfArray {
 struct XdmfCloud {
   std::string name;  ///< "fluid"
   std::vector<XdmfArray> arrays;
-  std::string mesh = "";    ///< where the corners of the cells lie in the HDF5 file: "/mesh/fluid"
-  std::uint64_t cells = 0;  ///< as many rows has it
+  std::string mesh = "";    ///< path of the corners of the cells in the HDF5 file: "/mesh/fluid"
+  std::uint64_t cells = 0;  ///< number of cells
   int corners = 1;          ///< corners per cell: 1, 4 (quadrilaterals) or 8 (hexahedra)
 };
 

@@ -11,7 +11,7 @@
 
 namespace cosurge::certify {
 
-/// One start of the program, to which anything can be sent.
+/// One start of the program, to which any message can be sent.
 class Abuse {
  public:
   explicit Abuse(const CertifyOptions& options);
@@ -22,17 +22,17 @@ class Abuse {
   void welcome();
   v1::Request initialize(const CertifyOptions& options) const;
 
-  /// A window with the program's own initial motion or load.
+  /// A window with the initial motion or load that the program has sent.
   v1::Request advance(const CertifyOptions& options) const;
 
   /// The forces or the velocities of a window's request.
   static google::protobuf::RepeatedField<double>& numbers_of(v1::Request& request);
 
-  /// @param skip so many numbers are left out before the request's own
+  /// @param skip how many request numbers are skipped before this request
   void send(v1::Request request, int skip = 0);
   void send_bytes(const std::string& bytes) { channel_.send_bytes(bytes); }
 
-  /// The program must exit by itself within some seconds, with a Failure message if `says_so`.
+  /// Requires that the program exits by itself within some seconds, with a Failure message if `says_so`.
   /// @throws Error where it does not
   void expect_failure(bool says_so);
 

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-/// Everything that the options say, before anything runs.
+/// The checked options of a chart, before any run.
 struct Request {
   StudyPlan plan;
   std::vector<Quantity> quantities;
@@ -63,7 +63,7 @@ Request::Request(const ChartOptions& options) {
   require(wrong.empty(), "{}", fmt::join(wrong, "\n"));
 }
 
-/// The dearest run that finished, which is the true one where nothing else was said.
+/// The most expensive run that finished, which is the default truth.
 std::size_t dearest(const StudyPlan& plan, const std::vector<FinishedRun>& runs) {
   std::size_t best = none;
   for (std::size_t k = 0; k < runs.size(); ++k)

@@ -47,7 +47,7 @@ std::string percent(const ChartValue& value) {
 
 std::string line_of(const ChartRow& row, const ChartValue& value, bool scattered) {
   const std::string settings = fmt::format("{}", fmt::join(row.settings, " "));
-  constexpr std::size_t longest = 90;  // letters of a reason; the whole is in the table
+  constexpr std::size_t longest = 90;  // letters of a reason on the terminal; the CSV table has the whole
   if (row.state == "failed")
     return fmt::format("  {:>9}  {}: {}{}\n", "failed", settings, row.reason.substr(0, longest),
                        row.reason.size() > longest ? " ..." : "");

@@ -1,4 +1,4 @@
-// What a chart holds for true: a run of its plan, a curve, or a number.
+// The reference values (truth) of a chart: a run of its plan, a curve, or a number.
 #pragma once
 
 #include <map>
@@ -10,14 +10,14 @@
 
 namespace cosurge {
 
-/// The truth of one quantity: a number, a history, or neither: that of a run of the plan.
+/// The truth of one quantity: a number, a history, or, if it has neither, that of a run of the plan.
 struct Truth {
   std::string name;  ///< "walhorn_2005.csv", "0.047"; empty for a run
   std::optional<double> number;
   std::optional<Curve> curve;
 };
 
-/// What the words of --truth say.
+/// The parsed arguments of --truth.
 struct Truths {
   std::vector<Truth> of_quantity;     ///< in the order of the quantities
   std::vector<std::string> settings;  ///< "key=value" of the run that is true; empty: the dearest run
@@ -34,7 +34,7 @@ struct Truths {
 Truths read_truths(const std::vector<std::string>& words, const std::vector<Quantity>& quantities,
                    double end);
 
-/// The range that both curves have, within that of the quantity.
+/// The time range that both curves cover, within that of the quantity.
 TimeRange common_range(const Quantity& quantity, const Curve& history, const Curve& truth);
 
 /// Value and true value of a quantity. For rms: the rms of the difference, and that of the true history.

@@ -8,7 +8,7 @@
 
 namespace cosurge {
 
-/// A command: what the command line says of it, and its act, which returns the exit status.
+/// A command: its help text, its options, and the function that runs it and returns the exit status.
 struct Command {
   CLI::App* app;
   std::function<int()> act;

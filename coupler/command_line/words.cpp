@@ -7,7 +7,8 @@
 namespace cosurge {
 namespace {
 
-/// Letters to insert, leave out, change or swap with the next to make one word of the other (Damerau 1964).
+/// Damerau-Levenshtein distance (Damerau 1964): the least number of letters to insert, delete, change or swap
+/// with the next one to turn one word into the other.
 std::size_t difference(const std::string& a, const std::string& b) {
   std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i) {

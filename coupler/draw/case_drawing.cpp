@@ -28,7 +28,7 @@ struct Drawing {
   std::vector<Cloud> clouds;
 };
 
-/// A region of the scene and where it goes.
+/// A region of the scene and its area in the picture.
 struct Panel {
   Region region;
   Rectangle area;
@@ -67,7 +67,7 @@ std::optional<Region> detail_of(const Drawing& drawing, const Region& scene, int
   return bodies.grown(0.3 * bodies.largest_size());
 }
 
-/// One panel, or two: side by side, or one above the other where the scene is long.
+/// One panel, or two: side by side, or one above the other if the scene is long.
 std::vector<Panel> layout(const Region& scene, const std::optional<Region>& detail) {
   const auto fit = [](const Region& region, double x, double y, double wide, double high) {
     const double aspect = View::aspect(region);
@@ -93,7 +93,7 @@ bool is_named(const Part& part, const std::vector<Part>& parts) {
                        [&](const Part& other) { return other.kind == part.kind; }) > 1;
 }
 
-/// Names of what lies in the panel, and not in the one that shows it larger.
+/// Names the parts in a panel, except those that the enlarged panel shows.
 void draw_names(Canvas& canvas, const View& view, const std::vector<Part>& parts, const Rectangle& larger) {
   Labels labels(canvas, view.area());
   std::vector<std::pair<Pixel, const Part*>> named;

@@ -17,7 +17,8 @@ constexpr double letters = 12;
 const Color ink = hex(0x374151), faint = hex(0xd1d5db);
 const std::array<Color, 3> curve_colors = {hex(0x1d4ed8), hex(0xd1495b), hex(0x1b998b)};
 
-/// Column by column of pixels the smallest and the largest value: a curve that looks as the whole one does.
+/// The smallest and the largest value in each column of pixels; the curve through them looks like the
+/// complete one.
 std::vector<Pixel> thinned(const std::vector<Pixel>& curve) {
   std::vector<Pixel> kept;
   for (std::size_t k = 0; k < curve.size();) {

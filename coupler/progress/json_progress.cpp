@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double interval = 1;  // s between two lines
 
-/// A number, or null for one that JSON does not have.
+/// A number, or null if it is not finite, which JSON cannot represent.
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 void write_line(std::FILE* out, const Json& line) {

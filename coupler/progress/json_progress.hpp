@@ -9,8 +9,8 @@
 
 namespace cosurge {
 
-/// Takes the standard output for its lines; what else the program prints there goes to the standard error
-/// from then on. Lines are described in docs/results.md.
+/// Takes over the standard output for its lines; everything else that the program prints there goes to the
+/// standard error from then on. docs/results.md describes the lines.
 class JsonLines {
  public:
   /// @throws Error where the standard output cannot be taken.

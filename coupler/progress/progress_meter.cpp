@@ -22,7 +22,7 @@ ProgressMeter::ProgressMeter(const v1::Case& the_case, const std::vector<Member>
     ProbePlace found{.name = probe.name(), .unit = "", .columns = {}, .places = {}};
     for (const std::string& column : probe_columns(probe, the_case.dimension())) {
       const auto place = find(members, probe_group(probe), column);
-      if (!place) continue;  // a solver of somebody else may not report it
+      if (!place) continue;  // solvers of other authors need not report it
       found.unit = members[place->member].setup.columns[place->column].unit;
       found.columns.push_back(probe_group(probe) + "/" + column);
       found.places.push_back(*place);
@@ -58,7 +58,8 @@ ProgressState ProgressMeter::state(const Reports& reports, const std::vector<dou
   state.window_size = last_.size;
   state.seconds = seconds_between(start_, now);
   told_ += unshown_;
-  // Schemes that may go back tell several windows at once: the last state has the mean of the whole run.
+  // Schemes that may repeat windows report several windows at once; the last state has the mean of the whole
+  // run.
   state.seconds_per_window =
       state.time >= end_ ? state.seconds / told_ : seconds_between(shown_, now) / unshown_;
   state.seconds_left = state.seconds * std::max(0.0, end_ - state.time) / (state.time - *begin_);

@@ -59,9 +59,9 @@ class ProgressMeter {
   std::optional<Place> speed_;
   Clock::time_point start_ = Clock::now();
   Clock::time_point shown_ = start_;
-  std::optional<double> begin_;  // time at which the first window began [s]: not 0 after a resumption
+  std::optional<double> begin_;  // start of the first window of this process [s]: not 0 after a resumption
   Window last_;
-  int unshown_ = 0;  // windows since the last state
+  int unshown_ = 0;  // windows since the last state that was shown
   int told_ = 0;     // windows before it
 };
 

@@ -13,7 +13,7 @@ namespace cosurge {
 struct Cast {
   std::string member;                   ///< "fluid"
   std::vector<std::size_t> particles;   ///< their numbers in the frames
-  double finest = 0;                    ///< positions need not be finer [m]; 0: as fine as 16 bits are
+  double finest = 0;                    ///< resolution of positions that suffices [m]; 0: that of 16 bits
   std::vector<std::string> quantities;  ///< names of arrays to colour by; "speed" is computed from "velocity"
 };
 

@@ -1,4 +1,4 @@
-// The page that shows runs: one HTML file with all that it needs.
+// The HTML page that shows runs, in a single file.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -6,7 +6,7 @@
 
 namespace cosurge {
 
-/// The page with its program (built from coupler/report/page) and its data (page_document()).
+/// The page with its JavaScript (built from coupler/report/page) and its data (page_document()).
 std::string page(const nlohmann::ordered_json& document);
 
 /// JSON text that may stand in a script element of HTML.

@@ -26,8 +26,8 @@ class RunDocument {
   /// (coupler/report/run_numbers.hpp, case_table.hpp, outlines.hpp, scene.hpp).
   nlohmann::ordered_json read(std::size_t first_frame = 0);
 
-  /// Whether there is more, or another end, than a page knows that has `frames` and `windows` and the state
-  /// (status() in run_numbers.hpp). Reads little.
+  /// Whether the results have more data, or another state, than a page with `frames` frames, `windows`
+  /// windows and the given state (status() in run_numbers.hpp). Reads little of the files.
   bool has_news(std::size_t frames, std::size_t windows, const std::string& state) const;
 
  private:

@@ -34,8 +34,9 @@ std::vector<std::string> quantities_of(const FrameSource& source) {
   return names;
 }
 
-/// Keeps one particle in `every`. Taking every tenth number would leave rows and planes of the lattice;
-/// multiples of the golden ratio are spread evenly (Knuth, The Art of Computer Programming 3, section 6.4).
+/// Keeps about one particle in `every`. Every tenth particle by number would leave rows and planes of the
+/// lattice; fractional parts of multiples of the golden ratio are spread evenly (Knuth, The Art of Computer
+/// Programming 3, section 6.4).
 bool is_kept(std::uint32_t number, std::size_t every) {
   constexpr std::uint32_t golden = 2654435769;  // golden ratio times 2^32
   const std::uint32_t mixed = number * golden;

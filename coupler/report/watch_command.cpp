@@ -33,7 +33,7 @@ std::size_t number(const std::string& text) {
   return value;
 }
 
-/// The runs that are watched; calls take turns, since the HDF5 library is for one thread at a time.
+/// The watched runs; calls are serialised, because the HDF5 library supports one thread at a time.
 class WatchedRuns {
  public:
   explicit WatchedRuns(const WatchOptions& options) {
@@ -60,7 +60,7 @@ class WatchedRuns {
     return page(page_document("watch", std::move(runs)));
   }
 
-  /// A run with its frames from `frames` on; empty where it is as long as the page knows, and as far.
+  /// The data of a run with its frames from `frames` on; empty if the page has all of it.
   std::string news(std::size_t run, std::size_t frames, std::size_t windows, const std::string& state) {
     const std::lock_guard turn(mutex_);
     std::string text;
@@ -91,7 +91,7 @@ void answer(httplib::Response& response, const std::function<std::string()>& tex
   }
 }
 
-/// Answers requests below the secret word; all others are not found.
+/// Answers requests whose path begins with the secret word; others get "not found".
 void lay_out(httplib::Server& server, const std::string& word, WatchedRuns& runs) {
   server.Get("/" + word + "/", [&runs](const httplib::Request&, httplib::Response& response) {
     answer(
@@ -130,7 +130,7 @@ int watch_command(const WatchOptions& options) {
   note_interruptions();
   std::thread serving([&] { server.listen_after_bind(); });
   while (!server.is_running())
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));  // else stop() is lost
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));  // otherwise a stop() at this moment is lost
   say("watch: http://{}:{}/{}/\nopen it in a browser on this machine; Ctrl-C stops the page, not the run\n",
       this_machine, port, word);
   while (!interrupted()) std::this_thread::sleep_for(std::chrono::milliseconds(50));

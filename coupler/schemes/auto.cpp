@@ -3,8 +3,8 @@
 namespace cosurge {
 namespace {
 
-// Half of the gain at which `weak` becomes unstable: -dg/dv is mu, mu / 2 and mu / 6 where mu may be 1, 2 and
-// 3 / 2 (docs/method.md, section 3).
+// Half of the gain at which `weak` becomes unstable: the gain -dg/dv is mu, mu / 2 and mu / 6, and the limits
+// of mu are 1, 2 and 3 / 2 (docs/method.md, section 3).
 double bearable_gain(const v1::Coupling& coupling) {
   const bool ramped_mean =
       coupling.load() == v1::Coupling::ramped && coupling.velocity() == v1::Coupling::mean;
@@ -13,8 +13,8 @@ double bearable_gain(const v1::Coupling& coupling) {
 
 constexpr double alternating = 1;  // limit of eq. (19); rounding alone gives 0.75
 
-// Share of the work passing between two probes that a stable scheme does not create; and the share of all
-// work below which what passes is noise.
+// `much`: least share of the work since the last probe that counts as created by the scheme. `negligible`:
+// share of all work below which the work since the last probe is noise.
 constexpr double much = 0.1, negligible = 1e-3;
 
 }  // namespace
@@ -37,7 +37,7 @@ Reports Auto::advance(const Window& window, InterfaceState& interface, Interface
   return reports;
 }
 
-/// Whether the coupling has created work since the last probe.
+/// Finds whether the coupling has created work since the last probe.
 void Auto::watch(const InterfaceAccount& account) {
   const double created = account.created() - created_, passed = account.passed() - passed_;
   creates_ = marked_ && choice_ == weak_inertial && created > much * passed &&

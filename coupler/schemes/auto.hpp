@@ -11,11 +11,11 @@
 namespace cosurge {
 
 /// Starts as `weak`. Every tenth window is computed by `strong`, which measures the velocity-error gain: the
-/// factor by which an error of the velocity is multiplied in a window. If the gain exceeds the limit of
-/// `weak`, the run continues as `weak_inertial`; or as `strong` if the solid gives no modes, or if the
+/// factor by which an error of the velocity is multiplied in a window. If the gain exceeds half of the limit
+/// of `weak`, the run continues as `weak_inertial`; or as `strong` if the solid gives no modes, or if the
 /// acceleration alternates or the coupling creates work although the modes are known. The windows since the
-/// last quiet check are then repeated, so that no trace of the instability remains. After many windows with a
-/// small gain the scheme is `weak` again.
+/// last quiet check are then repeated, so that the results contain no trace of the instability. After many
+/// windows with a small gain the scheme is `weak` again (docs/method.md, section 3).
 class Auto : public Scheme {
  public:
   Auto(const v1::Coupling& coupling, Participants participants);
@@ -42,7 +42,7 @@ class Auto : public Scheme {
   void watch(const InterfaceAccount& account);
   void change_to(Choice choice, const std::string& why);
 
-  double bearable_;  // gain
+  double bearable_;  // gain above which `weak` is not used
   Weak weak_;
   WeakInertial weak_inertial_;
   Strong strong_;
@@ -51,9 +51,9 @@ class Auto : public Scheme {
   int quiet_ = 0;         // windows with a small gain
   int alternating_ = 0;   // windows in which the acceleration has alternated
   bool creates_ = false;  // the coupling created work before the last probe
-  bool marked_ = false;   // there was a probe since the scheme was chosen: at it
-  double created_ = 0;    // work that the coupling had created [J]
-  double passed_ = 0;     // work that had passed the interface, without signs [J]
+  bool marked_ = false;   // whether a probe has set created_ and passed_ since the scheme was chosen
+  double created_ = 0;    // work that the coupling had created at the last probe [J]
+  double passed_ = 0;     // absolute work through the interface at the last probe [J]
   Effort effort_;
 };
 

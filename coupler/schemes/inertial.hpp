@@ -5,7 +5,8 @@
 
 namespace cosurge {
 
-/// The solid's first attempt at a window: under the interface's last load. Fills its motion and its modes.
+/// Computes the solid's first attempt at a window, under the last load of the interface. Fills its motion and
+/// its modes.
 inline void predict_motion(const Participants& participants, const Window& window,
                            InterfaceState& interface) {
   Window attempt = window;

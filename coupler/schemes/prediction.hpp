@@ -1,4 +1,4 @@
-// The velocity that the water sees first in a window.
+// Prediction of the velocity for the first iteration of a window.
 #pragma once
 
 #include <cmath>
@@ -21,7 +21,7 @@ class Prediction {
     return velocity + window.size / size_ * (velocity - before_);
   }
 
-  /// A window has passed that began with `velocity`.
+  /// Records a window whose first iteration used `velocity`.
   void passed(const Field& velocity, const Window& window) {
     before_ = velocity;
     size_ = window.size;
@@ -44,7 +44,7 @@ class Prediction {
   v1::Coupling::Prediction order_;
   double size_ = 0;  // size of the last window [s]
   double end_ = 0;   // end of the last window [s]; no extrapolation over windows computed by another scheme
-  Field before_;     // velocity of the last window but one
+  Field before_;     // velocity of the window before the last one
 };
 
 }  // namespace cosurge

@@ -6,10 +6,10 @@
 
 namespace cosurge {
 
-/// As Amaro & Cheng: the fluid steps with the motion that the solid had at the end of the last window, then
-/// the solid goes through the same window, in sub-cycles, under the load that came out. One exchange a
-/// window. Unstable where the added mass exceeds the solid's by a factor near one, whatever the window
-/// (Causin, Gerbeau & Nobile 2005, doi 10.1016/j.cma.2004.12.005; docs/stability.md has the factors).
+/// As Amaro & Cheng: the fluid steps with the motion of the solid at the end of the last window, then the
+/// solid computes the same window in sub-cycles under the resulting load. There is one exchange per window.
+/// Unstable if the added mass exceeds the mass of the solid by a factor near one, for any window (Causin,
+/// Gerbeau & Nobile 2005, doi 10.1016/j.cma.2004.12.005; docs/stability.md has the factors).
 class Weak : public Scheme {
  public:
   Weak(const v1::Coupling& coupling, Participants participants)

@@ -1,4 +1,4 @@
-// The runs of a study: which settings of which case, and from which starts.
+// The runs of a study: settings of a case, and perturbed starts.
 #pragma once
 
 #include <string>
@@ -8,14 +8,14 @@
 
 namespace cosurge {
 
-/// What chart and sweep have in common: a case, its settings, and where the runs go.
+/// Common options of chart and sweep: a case, its settings, and the folder of the runs.
 struct StudyOptions {
   std::string case_path;
   std::vector<std::string> overrides;  ///< "key.path=value" for every run
   std::vector<std::string> over;       ///< "key=a,b": directions of a grid, as in map
   std::string plan;                    ///< CSV: a key a column, a run a row; empty: none
   std::vector<std::string> quantities;
-  int scatter = 0;   ///< perturbed starts of each run besides its own
+  int scatter = 0;   ///< number of perturbed starts of each run in addition to its own
   int cores = 1;     ///< runs at a time
   std::string out;   ///< folder
   std::string note;  ///< command that makes the table, its first line
@@ -37,7 +37,8 @@ struct StudyPlan {
 };
 
 /// Every row of the plan with every cell of the grid, `scatter` + 1 starts each. Start k > 0 has gravity
-/// times 1 + 1e-6 k: too little to change the answer by itself, enough for the particles to take other ways.
+/// times 1 + 1e-6 k: too little to change the solution by itself, but enough for the particles to move
+/// differently.
 /// @throws Error with all that is wrong in any run, and where two settings are the same case.
 StudyPlan read_plan(const StudyOptions& options);
 

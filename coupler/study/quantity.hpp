@@ -30,7 +30,7 @@ class Quantity {
   const std::vector<std::string>& columns() const { return columns_; }  ///< one, or two to subtract
   const std::optional<TimeRange>& range() const { return range_; }      ///< none: the whole run
 
-  /// Unit of the value, for a history of `unit`.
+  /// Unit of the quantity of a history with the unit `unit`.
   std::string unit(const std::string& unit) const;
 
   /// The quantity of a history. For rms: of the history itself.

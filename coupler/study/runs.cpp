@@ -72,7 +72,7 @@ std::string reason_in(const Place& place) {
 
 /// The whole run, in a process of its own: its processor time is that of the run.
 void compute(const PlannedRun& run, const std::string& case_path, const Place& place) {
-  place.row.write("", "");  // before its results go
+  place.row.write("", "");  // before its results are removed
   fs::remove_all(place.results);
   for (std::FILE* stream : {stdout, stderr})
     require(std::freopen(place.log.c_str(), stream == stdout ? "w" : "a", stream) != nullptr,
@@ -123,7 +123,7 @@ StudyRuns::StudyRuns(const fs::path& folder) : folder_(folder / "runs") {
   fs::create_directories(folder_, none);
   locked_ = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   require(locked_ >= 0, "{}: cannot be made", folder_.string());
-  // The processes of a command that was killed need a moment to end.
+  // Processes of a killed command need a moment to end.
   constexpr int tries = 50;
   bool taken = true;
   for (int k = 0; k < tries && taken; ++k) {

@@ -1,4 +1,4 @@
-// Runs the plan of a study and measures what each run costs; an interrupted study goes on.
+// Runs the plan of a study and measures the cost of each run; an interrupted study can continue.
 #pragma once
 
 #include <filesystem>
@@ -21,15 +21,15 @@ struct FinishedRun {
 /// what it printed. NAME is made from the settings.
 class StudyRuns {
  public:
-  /// Takes the folder, which is made where it is not there.
+  /// Locks the folder, and creates it if it does not exist.
   /// @throws Error where it is in use, or is not empty and holds no study.
   explicit StudyRuns(const std::filesystem::path& folder);
   ~StudyRuns();
   StudyRuns(const StudyRuns&) = delete;
   StudyRuns& operator=(const StudyRuns&) = delete;
 
-  /// Runs what has not finished yet, `cores` runs at a time with one thread for each solver. Runs of the same
-  /// case by the same build are taken over; a run that failed or was cut off starts again.
+  /// Runs everything that has not finished yet, `cores` runs at a time with one thread per solver. Finished
+  /// runs of the same case by the same build are reused; failed and incomplete runs start again.
   std::vector<FinishedRun> run(const StudyPlan& plan, const std::string& case_path, int cores) const;
 
   /// Removes the results, rows and logs of all runs.

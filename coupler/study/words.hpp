@@ -1,4 +1,4 @@
-// What the words of the options of a study have in common.
+// Common code for reading the options of a study.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace cosurge {
 
 std::string without_blanks(std::string text);
 
-/// The finite number that the whole text is; nothing if it is another text.
+/// The finite number that the whole text represents; nothing otherwise.
 std::optional<double> number_of(const std::string& text);
 
 /// Calls `read` and appends the message of what it throws to `wrong`, each message once.

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* missing = "ffmpeg is not installed: on Debian, apt install ffmpeg";
 
-/// Starts ffmpeg with a pipe as its input; its words go to `log`. Returns an error number, 0 for none.
+/// Starts ffmpeg with a pipe as its input; its output goes to `log`. Returns an error number, 0 for none.
 int start(const std::vector<std::string>& words, const fs::path& log, int input, pid_t& pid) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
@@ -46,7 +46,7 @@ void Encoder::require_ffmpeg() {
 
 Encoder::Encoder(const fs::path& file, int width, int height, double pictures_a_second)
     : file_(file), unfinished_(file.string() + ".part"), log_(file.string() + ".log") {
-  std::signal(SIGPIPE, SIG_IGN);  // an ffmpeg that has ended is told by the write that fails
+  std::signal(SIGPIPE, SIG_IGN);  // if ffmpeg has ended, the next write fails and reports it
   int pipe[2];
   require(::pipe2(pipe, O_CLOEXEC) == 0, "--video: {}", std::strerror(errno));
   const int error = start({"ffmpeg",

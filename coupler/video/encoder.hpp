@@ -1,4 +1,4 @@
-// Pictures into a video file, by the program ffmpeg.
+// Encodes pictures as a video file with the program ffmpeg.
 #pragma once
 
 #include <sys/types.h>
@@ -9,7 +9,7 @@
 
 namespace cosurge {
 
-/// Writes an MP4 (H.264) that appears under its name once it is complete.
+/// Writes an MP4 file (H.264), which gets its name when it is complete.
 class Encoder {
  public:
   /// @throws Error where there is no ffmpeg: the message names its package.
@@ -21,7 +21,7 @@ class Encoder {
   Encoder(const Encoder&) = delete;
   Encoder& operator=(const Encoder&) = delete;
 
-  /// @throws Error where ffmpeg has ended, with its words.
+  /// @throws Error if ffmpeg has ended, with its output.
   void add(const Canvas& picture);
 
   /// Waits for the end of ffmpeg. @throws Error where it failed, with its words.

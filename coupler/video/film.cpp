@@ -27,7 +27,7 @@ constexpr double overlap = 1.25;     // size of particles over their spacing: di
 constexpr double outliers = 0.003;   // share of particles and values beyond region and scale
 const Color ink = hex(0x111827);
 
-/// The value below which the share of all lies. Reorders the values.
+/// The quantile of the values for the given share. Reorders the values.
 double quantile(std::vector<float>& values, double share) {
   if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
   const auto at =
@@ -43,8 +43,8 @@ std::vector<std::size_t> sampled(std::size_t frames) {
   return chosen;
 }
 
-/// The quantity that a solver's particles are coloured by; empty where its frames have none. In three
-/// dimensions one sees the surface of the water, which has no pressure.
+/// The quantity by which a solver's particles are coloured; empty if its frames have none. In three
+/// dimensions the surface of the water is visible, where the pressure is zero; it is coloured by speed.
 std::string quantity_of(const FrameSource& source, int dimension) {
   if (dimension == 2 && source.has("pressure")) return "pressure";
   if (source.has("von_mises")) return "von_mises";
@@ -144,7 +144,7 @@ class Film::Scene {
     return cloud;
   }
 
-  /// Where water and structures are in the sampled frames, but for a few drops; of a long scene the part
+  /// Region of water and structures in the sampled frames, without a few drops; for a long scene the part
   /// around the bodies.
   Region region_of_frames() const {
     const auto dimension = static_cast<std::size_t>(case_.dimension());

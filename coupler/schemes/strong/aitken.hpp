@@ -9,8 +9,8 @@ namespace cosurge {
 
 /// Aitken's delta-squared method for vectors: omega_k = - omega_(k-1) r_(k-1) . dr / |dr|^2, dr = r_k -
 /// r_(k-1) (Irons & Tuck 1969; Kuettler & Wall 2008, doi 10.1007/s00466-008-0255-5). A window starts with the
-/// last factor of the one before. Since added mass is positive, 1 / (1 + mu) <= omega <= 1: what noise would
-/// make of it beyond is cut off.
+/// last factor of the previous one. Since the added mass is positive, 1 / (1 + mu) <= omega <= 1; values
+/// outside this range come from noise and are limited to it.
 class Aitken : public Relaxation {
  public:
   explicit Aitken(double first) : omega_(first) {}
@@ -31,7 +31,8 @@ class Aitken : public Relaxation {
   void restore(InterfaceReader& state) override { state.get(omega_); }
 
  private:
-  static constexpr double smallest = 1e-3;  // for a ratio of 1000; with less, an iteration would not move
+  static constexpr double smallest =
+      1e-3;  // for mu = 1000; with a smaller factor an iteration would hardly move
 
   double omega_;
   Eigen::VectorXd last_;  // residual of the last iteration of this window

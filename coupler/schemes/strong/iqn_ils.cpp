@@ -5,15 +5,16 @@
 namespace cosurge {
 namespace {
 
-// Share of a column's length that must remain after newer columns are taken out of it: the pressure is known
-// to about four digits, so that a smaller remainder is noise.
+// Least share of a column's length that must remain after its projection on newer columns is subtracted: the
+// pressure is known to about four digits, so that a smaller remainder is noise.
 constexpr double filter = 1e-2;
 
-// Steps of a window that may make the residual larger before its older columns are not believed: without
-// suction one or two do, on the way to the solution.
+// Number of steps in a window that increase the residual, from which on its older columns are dropped.
+// Without suction one or two such steps occur on the way to the solution.
 constexpr int few = 3;
 
-constexpr double longest = 1.5;  // step [residuals]; above 1: (1 + M)^-1 is symmetric in another norm
+constexpr double longest =
+    1.5;  // largest step [residuals]; above 1, because (1 + M)^-1 is symmetric in another norm
 
 }  // namespace
 
@@ -27,7 +28,7 @@ Eigen::VectorXd IqnIls::next(const Eigen::VectorXd& x, const Eigen::VectorXd& re
   last_residual_ = residual;
   last_output_ = output;
 
-  // Gram-Schmidt: each orthonormal direction q of residuals goes with the output that makes it.
+  // Gram-Schmidt: orthonormal directions q of the residuals, each with its change of the output
   std::vector<Change> basis;
   for (const Change& change : changes_) {
     Change rest = change;

@@ -9,8 +9,8 @@
 
 namespace cosurge {
 
-/// Solves g(x) = x from values alone. One window: next() for every iteration that has not converged, then
-/// end_window().
+/// Solves g(x) = x from values of g alone. In each window, next() is called after every iteration that has
+/// not converged, then end_window().
 class Relaxation {
  public:
   virtual ~Relaxation() = default;

@@ -32,7 +32,7 @@ class Strong : public Scheme {
   void restore(InterfaceReader& state) override;
 
  private:
-  /// Once through the window, by both.
+  /// One pass of fluid and solid through the window.
   struct Pass {
     Field asked;   // velocity given to the water
     Field seen;    // velocity that the water used, with the modes' response to its own load
@@ -54,7 +54,8 @@ class Strong : public Scheme {
   bool has_modes_ = false;
   Effort effort_;
   AddedMassRatio ratio_;
-  double stiffness_ = -1;  // |df| / |dv|, the largest between iterations of the last window [N s/m]; -1: none
+  double stiffness_ = -1;  // kappa = |df| / |dv| [N s/m], the largest between iterations of the last window
+                           // (docs/method.md, eq. 18); -1: unknown
 };
 
 }  // namespace cosurge

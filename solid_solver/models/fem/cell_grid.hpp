@@ -49,8 +49,8 @@ class CellGrid {
   Vec<dim> origin_, side_;
   CellBlock<dim> cells_, grid_;  // blocks of the cells and of the nodes
   std::vector<char> kept_;
-  std::vector<Eigen::Index> used_;    // index of each node in the whole grid
-  std::vector<Eigen::Index> number_;  // number of the node at each index; -1: not used
+  std::vector<Eigen::Index> used_,
+      number_;  // index of each node in the whole grid; node at each index, or -1
   std::vector<char> outer_;
 };
 
