@@ -1,6 +1,6 @@
-// Order in time of the coupling schemes, measured on the sprung piston under a lumped column of water: the
-// programs' schemes, whose water and structure are a few lines. Theory beside it:
-// benchmarks/coupling_theory.py.
+// Order in time of the coupling schemes, measured on the sprung piston under a lumped column of water. The
+// schemes are those of the programs; water and structure are a few lines. benchmarks/coupling_theory.py
+// computes the theory.
 //
 // build/release/bin/coupling_order > docs/tables/coupling_order.csv
 #include <fmt/core.h>

@@ -1,6 +1,6 @@
-// Cost of the exchange of a window, against a bare ping-pong of ZeroMQ with the same bytes: 1000 points, a
-// fluid and a structure without physics as two processes, over ipc and tcp. Both are measured in turns in one
-// run.
+// Cost of the exchange of a window, compared with a bare ping-pong of ZeroMQ with the same bytes: 1000
+// points, a fluid and a structure without physics as two processes, over ipc and tcp. Both are measured in
+// turns in one run.
 //
 // build/release/bin/exchange [POINTS] > docs/tables/exchange_window.csv
 #include <fmt/core.h>

@@ -1,4 +1,4 @@
-// Where the water holds, and where not: tables of docs/stability.md.
+// Limits of the water's stability and accuracy: tables of docs/stability.md.
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
@@ -21,9 +21,9 @@ using test::tank_of_water;
 using test::TurningPatch;
 
 constexpr double density = 1000, g = 9.81;
-constexpr double largest_courant = 0.5;  // that a case may ask for
+constexpr double largest_courant = 0.5;  // largest value that a case may have
 
-/// What of a history lies off its mean over `around` [s] before and after, rms.
+/// Rms deviation of a history from its mean over `around` [s] before and after.
 double noise(const std::vector<double>& t, const std::vector<double>& p, double around, double from) {
   double sum = 0;
   int count = 0;
@@ -106,8 +106,8 @@ void column() {
       for (const double courant : {0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1.0}) collapse(source, alpha, courant);
 }
 
-/// The share of the patch's middle that is filled, angular momentum and energy over their first values, and
-/// the pressure in the middle, averaged over a tenth of a second.
+/// Filled share of the middle of the patch, angular momentum and energy relative to the start, and the
+/// pressure in the middle, averaged over a tenth of a second.
 void turning_patch(const TurningPatch::Choice& choice) {
   constexpr double end = 2, rho_omega2_L2 = 1000;
   constexpr int interval = 25;

@@ -1,5 +1,5 @@
-// The same pressure equation by hypre's conjugate gradients with BoomerAMG, where Debian's libhypre-dev is
-// installed: build/release/bin/hypre_solve, beside pressure_solve.
+// Solves the same pressure equation as pressure_solve with hypre's conjugate gradients and BoomerAMG. Built
+// if Debian's libhypre-dev is installed: build/release/bin/hypre_solve.
 #include <HYPRE.h>
 #include <HYPRE_krylov.h>
 #include <HYPRE_parcsr_ls.h>

@@ -1,4 +1,4 @@
-// What a pressure solve costs: build/release/bin/pressure_solve [--benchmark_filter=...]
+// Cost of a pressure solve: build/release/bin/pressure_solve [--benchmark_filter=...]
 //
 // A disordered column of water with the compressibility of water, 1e4 to 6.8e5 unknowns, cold start, to 1e-3;
 // one thread by OMP_NUM_THREADS=1. `as_public_codes_do` builds a list of triplets, sorts them into Eigen's

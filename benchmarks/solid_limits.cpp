@@ -1,4 +1,4 @@
-// Where the explicit solids hold, and where not: tables of docs/stability.md.
+// Stability limits of the explicit structural models: tables of docs/stability.md.
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
@@ -134,8 +134,8 @@ double alternation(const Block& block, const Eigen::VectorXd& shape) {
 
 const Block small_block{.columns = 12, .rows = 24, .clamped = false, .poisson_ratio = 0.3};
 
-/// How many motions of a free block, and of a clamped one, are slower than its first bending with the whole
-/// stabilisation: a free block has three, a clamped one none.
+/// Number of motions of a free block, and of a clamped one, that are slower than its first bending with the
+/// full stabilisation: a free block has three, a clamped one none.
 void zero_modes() {
   fmt::print("stabilisation,clamped,slower_than_bending,lowest_beyond,first_bending,alternating\n");
   for (const bool clamped : {false, true}) {
@@ -156,7 +156,7 @@ void zero_modes() {
   }
 }
 
-/// The motion of a free block that costs least beyond the rigid ones, without stabilisation and with it.
+/// The motion of a free block with the least energy except the rigid ones, without stabilisation and with it.
 void zero_mode() {
   fmt::print("stabilisation,x,y,u_x,u_y,frequency\n");
   for (const double stabilisation : {0.0, 1.0}) {

@@ -1,4 +1,4 @@
-// Tables of docs/verification.md: the solid models against theory, and what they cost.
+// Tables of docs/verification.md: the structural models compared with theory, and their cost.
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
@@ -22,7 +22,7 @@ const std::vector<Cantilever> plates = [] {
   return all;
 }();
 
-/// A model as a case words it.
+/// A model, as in a case.
 struct Model {
   std::string name;
   v1::SolidModel::Word word;
@@ -62,8 +62,8 @@ void frequencies() {
   }
 }
 
-/// Speed of waves along a bar without Poisson's ratio, sqrt(E / rho), from the periods 4 L / c of two clamped
-/// ones: their difference knows nothing of the ends. Period of Gray's cantilever.
+/// Speed of waves along a bar with Poisson's ratio 0, sqrt(E / rho), from the periods 4 L / c of two clamped
+/// ones: their difference does not depend on the ends. Period of Gray's cantilever.
 void waves() {
   print_line(
       "model,particles_of_thickness,bar_speed_m_s,exact_m_s,off_percent,gray_period_s,thin_plate_s,off_"
@@ -238,7 +238,7 @@ void recorded() {
       "young_modulus_Pa,model,setup_seconds,cpu_seconds,mps_over_cpu,largest_tip_m,off_mps_percent,at_s,"
       "mean_off_mps_percent,apart_percent");
   std::vector<Model> by_cost = models;
-  std::reverse(by_cost.begin(), by_cost.end());  // `mps` is what the others are put beside
+  std::reverse(by_cost.begin(), by_cost.end());  // the costs of the others are relative to that of `mps`
   std::erase_if(by_cost, [](const Model& one) { return one.pairs == v1::SolidMps::paper; });
   const RecordedPressure pressure(impact_file);
   for (const Cantilever& plate : {plates[1], plates.back()}) {
@@ -278,6 +278,6 @@ int main(int count, char** arguments) {
   CLI11_PARSE(app, count, arguments);
   if (!model.empty()) std::erase_if(models, [&](const Model& one) { return one.name != model; });
   fmt::print("# build/release/bin/solid_tables {}\n", table);
-  set_threads(1);  // CPU seconds with nobody waiting
+  set_threads(1);  // CPU seconds without waiting threads
   tables.at(table)();
 }

@@ -1,4 +1,5 @@
-// A plate of one's own in the water of a dam break: it leans on a spring, u_x = q (y / h)^2, and is watched.
+// A user's own plate in the water of a dam break: it leans on a spring, u_x = q (y / h)^2. An observer
+// watches it.
 #include <algorithm>
 #include <cosurge/simulation.hpp>
 #include <cstring>
@@ -8,7 +9,7 @@
 struct LeaningPlate : cosurge::Solid {
   double mass = 2, spring = 2000;  // per metre of width, of the unknown q [kg/m, N/m2]
   double q = 0, speed = 0;
-  Eigen::RowVectorXd lean;  // H: of each point, for a unit of q
+  Eigen::RowVectorXd lean;  // H: displacement of each point for q = 1
 
   cosurge::Identity identity() const override { return {"leaning plate", "1", {2}, {"save", "frame"}}; }
   cosurge::Setup initialize(const cosurge::v1::Case&, const cosurge::Interface& points,
@@ -47,7 +48,7 @@ struct Largest : cosurge::Observer {
   }
 };
 
-/// consumer CASE [wire]: with `wire` the water computes in a program of its own.
+/// consumer CASE [wire]: with `wire` the fluid solver is a process of its own.
 int main(int argc, char** argv) try {
   if (argc < 2) throw std::invalid_argument("usage: consumer CASE [wire]");
   const std::vector<std::string> coarse = {"fluid.spacing=0.004", "fluid.water.0.max=[0.148, 0.292]",

@@ -1,4 +1,4 @@
-// Charts that are cut off and go on, and plans that are refused.
+// Charts that are interrupted and continued, and plans that are refused.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ class Chart : public ::testing::Test {
     return words;
   }
 
-  /// Runs a chart to its end and returns what it said.
+  /// Runs a chart to its end and returns its output.
   std::string said(const Words& words, int status = 0) const {
     Program chart(words, scratch_.path() / "chart.log");
     EXPECT_EQ(chart.wait(patience), status) << chart.output();
@@ -43,7 +43,7 @@ class Chart : public ::testing::Test {
     return text.str();
   }
 
-  /// When the results of each run were written last.
+  /// When the results of each run were last written.
   std::map<std::string, fs::file_time_type> results() const {
     std::map<std::string, fs::file_time_type> found;
     for (const auto& entry : fs::directory_iterator(scratch_.path() / "chart/runs"))
@@ -72,13 +72,13 @@ TEST_F(Chart, ThatIsKilledGoesOnWithWhatIsLeft) {
   EXPECT_THAT(output, HasSubstr("3 runs, 2 of them to do"));
   EXPECT_EQ(results().at("time.window=4e-4"), before.at("time.window=4e-4"));
   EXPECT_THAT(table(), HasSubstr("\n4e-4,finished,"));
-  EXPECT_THAT(table(), HasSubstr("\n2e-4,truth,"));  // the dearest of the three
+  EXPECT_THAT(table(), HasSubstr("\n2e-4,truth,"));  // the most expensive of the three
 }
 
 TEST_F(Chart, TakesRunsOfItsOwnSettingsOnly) {
   EXPECT_THAT(said(command({"4e-4", "2e-4"})), HasSubstr("2 runs, 2 of them to do"));
   const std::string first = table();
-  // Another quantity needs no run; another value outside the plan needs all.
+  // Another quantity needs no run; another value outside the plan needs all runs.
   EXPECT_THAT(said(command({"4e-4", "2e-4"}, {"--quantity", "impulse(foot)", "--truth", "impulse(foot)=1"})),
               HasSubstr("2 runs, 0 of them to do"));
   EXPECT_THAT(table(), HasSubstr("impulse(foot) [Pa s]"));

@@ -31,7 +31,7 @@ void write(const fs::path& path, const std::string& bytes) {
 
 class Checkpoints : public ::testing::Test {
  protected:
-  /// A run that was cut at its last but one frame, with the two checkpoints that there were; and a whole one.
+  /// A run that was stopped at its last but one frame, with its two checkpoints; and an uninterrupted run.
   void SetUp() override {
     H5::Exception::dontPrint();
     Program run({cosurge_program, "run", small_dam_break, "--in-process", "--threads", "1", "--out", whole_,
@@ -84,11 +84,11 @@ TEST_F(Checkpoints, WithAFlippedBitGiveWayToTheOneBefore) {
     return bytes;
   };
   for (int k = 0; k < 120; ++k) {
-    // Half of them where the lengths and the case lie.
+    // Half of them where the lengths and the case are.
     const std::size_t at = random() % (k % 2 == 0 ? last_.size() : 3000);
     SCOPED_TRACE(fmt::format("byte {} of {}", at, last_.size()));
     const std::string damaged = flipped(last_, at);
-    if (k % 10 == 0) {  // the other times the refusal is enough: it comes from the same check
+    if (k % 10 == 0) {  // the other times the message is enough: it comes from the same check
       Program program = resume(damaged, before_);
       ASSERT_EQ(program.wait(patience), 0) << program.output();
       EXPECT_THAT(program.output(), HasSubstr("the previous checkpoint is used"));
@@ -120,7 +120,7 @@ TEST_F(Checkpoints, AreForTheProgramThatWroteThem) {
   expect_the_results_of_the_whole_run();
 }
 
-// Another build has another number of the linker in it.
+// Another build has another build ID.
 TEST_F(Checkpoints, OfAnotherBuildComeWithAWarning) {
   const fs::path other = scratch_.path() / "bin/cosurge", library = scratch_.path() / "lib" / COSURGE_SONAME;
   fs::create_directories(other.parent_path());

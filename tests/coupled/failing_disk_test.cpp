@@ -35,7 +35,7 @@ class FailingDisk : public ::testing::Test {
   static void TearDownTestSuite() { scratch.reset(); }
 
   /// The small dam break in one process. Write number `at` to files whose path contains `word` fails with
-  /// `error`, or kills the program where that is 0.
+  /// `error`, or kills the program if `error` is 0.
   static Program run(const std::string& name, const std::string& word, long at, int error) {
     return program(name, word, at, error,
                    {"run", small_dam_break, "--out", scratch->path() / name, "--set", "time.end=0.01",
@@ -46,7 +46,7 @@ class FailingDisk : public ::testing::Test {
     return program(name, "/" + name + "/", at, error, {"resume", scratch->path() / name});
   }
 
-  /// Checks that the results can be read and are right.
+  /// Checks that the results can be read and are correct.
   static void expect_part_of_whole(const std::string& name) {
     const Datasets part = physics(read_results(scratch->path() / name));
     for (const auto& [place, values] : part) {

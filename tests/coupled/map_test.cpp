@@ -1,4 +1,4 @@
-// Maps that are cut off and go on, or share the place of another.
+// Maps that are interrupted and continued, or have the same output file as another map.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -56,7 +56,7 @@ class Map : public ::testing::Test {
   ScratchFolder scratch_;
 };
 
-/// True once the process is gone, or waits to be reaped.
+/// Whether the process has ended (a zombie counts as ended).
 bool ends(pid_t pid) {
   for (int k = 0; k < 100; ++k) {
     std::ifstream stat("/proc/" + std::to_string(pid) + "/stat");

@@ -1,4 +1,4 @@
-// A solver program without physics that goes wrong in a chosen way at a chosen call.
+// A solver program without physics that has a chosen fault at a chosen call.
 #include <signal.h>
 #include <unistd.h>
 

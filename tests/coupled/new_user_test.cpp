@@ -58,7 +58,7 @@ box = { min = [0.2, 0.1], max = [0.24, 0.2] }
               HasSubstr("warning: fluid.density: 1 kg/m3"));
 }
 
-/// It could only translate.
+/// Before, such a body could only translate.
 TEST_F(NewUser, HasABoxThatFloatsInSpaceAndTurns) {
   const std::string output = cosurge({"run", "--out", (scratch_.path() / "out").string()}, R"(title = "box"
 dimension = 3
@@ -105,7 +105,7 @@ position = [0.16, 0.2, 0.12]
   const auto aside = results.at("/history/solid/left_y"), along = results.at("/history/solid/left_x");
   EXPECT_NEAR(shown, Vec<3>(along.back(), aside.back(), left.back()).norm(), 1e-5);
   EXPECT_GT(shown, 1e-3);
-  // From y to z; by a moment alone it would be 0.05 t^2 / 2 I = 0.9 rad.
+  // From y to z; its moment alone would rotate it by 0.05 t^2 / 2 I = 0.9 rad.
   EXPECT_GT((right.back() - left.back()) / 0.1, 0.05);
   EXPECT_LT((right.back() - left.back()) / 0.1, 0.9);
   const auto given = results.at("/history/coupling/work_points"),

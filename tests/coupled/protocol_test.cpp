@@ -177,7 +177,7 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 TEST_F(Processes, ThatAreSlowAreNotTakenForDead) {
-  // The mock sleeps for longer than a peer without a sign of life is waited for.
+  // The mock sleeps longer than the limit without a sign of life.
   Solver solver = start("mock_solver", {"--fault", "sleep", "--at", "4"});
   EXPECT_NO_THROW(advance_a_little(solver.join(2, {})));
   EXPECT_GE(solver.participant().cost().waiting, 4);
@@ -235,7 +235,7 @@ class OtherCoupler {
     pid_ = -1;
   }
 
-  int number = 0;  // that it told
+  int number = 0;  // the number that it sent
 
  private:
   pid_t pid_ = -1;

@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint64_t windows_a_frame = 3;
 constexpr std::size_t particles = 1000;
 
-/// What the particles of both have at the end of a window; at frame k it is k + p / 1024.
+/// Value of the particles of both solvers at the end of a window; particle p has k + p / 1024 at frame k.
 void move(std::vector<double>& state, const Window& window) {
   const double frame = static_cast<double>(window.index + 1) / windows_a_frame;
   for (std::size_t p = 0; p < state.size(); ++p) state[p] = frame + static_cast<double>(p) / 1024;
@@ -27,8 +27,8 @@ std::vector<double> row(const Window& window, int first, int columns) {
   return values;
 }
 
-/// Waits at every frame until the reader has read since the last but one: so it reads while the next is
-/// written.
+/// Waits at every frame until the reader has finished a reading since the last frame but one. So it reads
+/// while the next frame is written.
 class WithReader : public Observer {
  public:
   explicit WithReader(testing::Program& reader, const std::filesystem::path& output)

@@ -1,4 +1,4 @@
-// libcosurge as its users have it: a case, participants of their own, observers.
+// libcosurge as users call it: a case, their own participants, observers.
 #include "coupler/simulation.hpp"
 
 #include <gmock/gmock.h>
@@ -18,7 +18,7 @@ using ::testing::ThrowsMessage;
 const std::string small_dam_break = COSURGE_SOURCE_DIR "/tests/cases/small_dam_break";
 const std::vector<std::string> short_run = {"time.end=0.03", "coupling.scheme=weak"};
 
-/// Every number that a run shows of its windows but the time that it took, and how often it shows frames.
+/// All values of the windows except wall times, and the number of frames.
 class Numbers : public Observer {
  public:
   explicit Numbers(Simulation& simulation) {
@@ -43,7 +43,7 @@ class Numbers : public Observer {
   int frames = 0;
 };
 
-/// A structure that moves away from the water at one speed.
+/// A structure that moves at a constant speed.
 std::unique_ptr<MockSolid> moving_plate(double speed) {
   auto solid = std::make_unique<MockSolid>();
   solid->state = {0};

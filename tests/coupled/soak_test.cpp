@@ -1,4 +1,4 @@
-// Very many windows: a run keeps neither their rows nor files.
+// Very many windows: neither the memory nor the number of open files of a run grows with them.
 #include <gtest/gtest.h>
 
 #include "coupler/checkpoint.hpp"
@@ -11,11 +11,12 @@ namespace cosurge {
 namespace {
 
 constexpr std::uint64_t windows_a_frame = 100;
-// [bytes] a window, until the part of the results' index that HDF5 keeps is full. A history that stays in
-// memory has 8 a column, and there are 20.
+// [bytes] Growth of the memory per window, until HDF5's cache of the results' index is full. A history that
+// stays in memory takes 8 bytes per column, and there are 20.
 constexpr double most_of_a_window = 25;
-constexpr double flat = 0.01;  // share of the memory that may come after it is full
-// [bytes] besides: the recorder keeps the time of each frame, in a vector that may be twice as long
+constexpr double flat = 0.01;  // allowed growth afterwards, relative to the memory
+// [bytes] additional growth: the recorder keeps the time of each frame, in a vector with up to twice the
+// capacity
 constexpr double most_of_a_frame = 16;
 
 /// Memory of a run after some windows.

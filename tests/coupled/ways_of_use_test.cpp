@@ -91,7 +91,7 @@ TEST_F(WaysOfUse, RunsThatStartTogetherTakeDifferentFolders) {
   for (const auto& entry : fs::directory_iterator(scratch_.path() / "results"))
     results += fs::exists(entry.path() / "summary.json") ? 1 : 0;
   EXPECT_EQ(results, 6);
-  // The same folder by name: one of them gets it.
+  // Two runs with the same folder name: one of them gets it.
   const std::string one = cosurge("run scene --in-process --threads 1 --out same");
   const std::string output = run(fmt::format("{0} & {0} & {0} & wait", one), scratch_.path());
   std::size_t refused = 0;
@@ -259,7 +259,7 @@ TEST_F(WaysOfUse, TheColumnsOfTheResultsAreThoseThatNoProbeMayHave) {
   }
 }
 
-/// It went 34 mm through the floor, until the pressure blew up.
+/// Before, it fell 34 mm through the floor, until the pressure diverged.
 TEST_F(WaysOfUse, ASteelBlockThatSinksStandsOnTheFloorAndTheRunSaysSo) {
   std::ofstream(scene() / "block.csv") << "0.25,0.12\n0.35,0.12\n0.35,0.2\n0.25,0.2\n";
   write_case(R"(title = "block"
@@ -296,13 +296,13 @@ probe = [{ name = "b", quantity = "displacement", position = [0.3, 0.16] }]
   double impulse = 0, from = 0;
   for (std::size_t k = 0; k < height.size(); ++k) {
     EXPECT_GT(height[k], -0.121);  // v / omega of its own fall: 0.5 mm at 1 m/s
-    // It bounces on the water that it squeezes out, and stands a second later.
+    // it bounces on the water that it squeezes out, and is at rest a second later
     if (time[k] < 1.4) from = time[k];
     if (time[k] >= 1.4) impulse += push[k] * size[k];
   }
   EXPECT_LT(height.back(), -0.115);
-  // The floor carries the weight but for what the water does: at most its buoyancy, and the pressure of water
-  // that is squeezed out.
+  // The floor carries the weight, except for the force of the water: at most the buoyancy, and the pressure
+  // of water that is squeezed out.
   EXPECT_GT(impulse / (time.back() - from), 0.5 * 7800 * 0.1 * 0.08 * 9.81);
   EXPECT_LT(impulse / (time.back() - from), 1.1 * 7800 * 0.1 * 0.08 * 9.81);
 }

@@ -40,7 +40,7 @@ struct Run {
   std::optional<Coupler> coupler;
 };
 
-/// The checkpoint of a run that has a history of all that its scheme remembers.
+/// The checkpoint of a run whose scheme has data in all its fields.
 std::string legal_checkpoint(const std::filesystem::path& folder, std::size_t scheme) {
   constexpr int windows = 25;
   Run run(scheme);

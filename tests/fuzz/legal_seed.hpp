@@ -1,4 +1,4 @@
-// Inputs of a fuzz target that begin from legal ones: [number of the part that is spoilt, its bytes].
+// Inputs of a fuzz target that are derived from valid ones: [number of the changed part, its bytes].
 #pragma once
 
 #include <google/protobuf/stubs/logging.h>
@@ -26,8 +26,8 @@ inline std::size_t legal_or_mutated(const std::vector<std::string>& legal, std::
   return legal[part].size() + 1;
 }
 
-/// What LLVMFuzzerTestOneInput does: runs with the bytes in place of the part, where refusals in words are
-/// right.
+/// What LLVMFuzzerTestOneInput does: runs with the bytes in place of the part; an exception with a message is
+/// a correct reaction.
 template <typename RunWith>
 int run_one(const std::uint8_t* data, std::size_t size, const RunWith& run_with) {
   google::protobuf::SetLogHandler(nullptr);  // it reports every message that it cannot read

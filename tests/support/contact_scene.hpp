@@ -1,4 +1,4 @@
-// Bodies that fall on, hit and slap other objects, in two and three dimensions, with every model.
+// Scenes in which bodies touch other objects, in two and three dimensions, with every model.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace cosurge::test {
 
-/// A case in a tank of 0.4 m with a lattice of 10 mm, whose models lose nothing by themselves.
+/// A case in a tank of 0.4 m with a lattice of 10 mm, whose models have no damping of their own.
 class ContactScene {
  public:
   static constexpr double spacing = 0.01;
@@ -87,7 +87,7 @@ class ContactScene {
   int dimension_;
 };
 
-/// A participant of such a case, from window to window, and the account of its energy.
+/// A participant that computes such a case window by window, and the account of its energy.
 struct ContactRun {
   SolidParticipant solid;
   Interface interface;

@@ -1,5 +1,5 @@
-// A library to preload into a program: the N-th write to files whose path contains a word fails, and all that
-// follow, or the program is killed there.
+// A library that is preloaded into a program. It makes the N-th and all later writes to files whose path
+// contains a word fail, or kills the program at the N-th.
 //   FAILING_DISK_PATH     word in the path
 //   FAILING_DISK_AT       N, from 1; 0: none, only count
 //   FAILING_DISK_ERROR    number of the error; 0: SIGKILL

@@ -19,7 +19,7 @@ struct Impact {
   double largest() const;                     ///< tip [m]
   double at() const;                          ///< its instant [s]
   double mean() const;                        ///< mean tip displacement [m]
-  double apart(const Impact& another) const;  ///< largest difference of the tips [m]
+  double apart(const Impact& another) const;  ///< largest difference of the displacement of the tip [m]
 };
 
 /// A plate at rest until the recording begins, under its pressure on the left face, linear in time between

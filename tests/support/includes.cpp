@@ -1,1 +1,1 @@
-// Nothing of its own: its target compiles the includes that the tests share.
+// Empty: its target precompiles the headers that the tests share.

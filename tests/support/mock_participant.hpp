@@ -16,14 +16,14 @@
 
 namespace cosurge::testing {
 
-/// Its memory must be in `state`, which save() and restore() copy.
+/// Base of mocks. All data that change during a run must be in `state`, which save() and restore() copy.
 class MockParticipant : public virtual Participant {
  public:
   explicit MockParticipant(const std::string& program) : who{program, "0.1.0", {2, 3}, {"save", "frame"}} {}
 
   Identity who;
   std::vector<double> state;
-  std::vector<double> remembered;  // at the start of a window that may be gone through again
+  std::vector<double> remembered;  // state at the start of a window that may be repeated
   std::function<void()> on_finalize = [] {};
 
   Identity identity() const override { return who; }
@@ -86,16 +86,17 @@ class MockSolid : public Solid, public MockParticipant {
 /// A column of incompressible water on a piston of unit area, the test bed with an exact answer: the added
 /// mass is density * height, the angular frequency sqrt(stiffness / (mass + density * height)).
 struct Piston {
-  double mass = 1000;         // per area [kg/m2]
-  double stiffness = 1e5;     // per area [N/m3]
-  double density = 1000;      // density of the water [kg/m3]
-  double height = 0.5;        // height of the column [m]
-  double gravity = 9.81;      // [m/s2]
-  int points = 5;             // that share the area
-  int substeps = 10;          // sub-steps of the solid in a window
-  bool tells_mode = false;    // its motion, for schemes that take its added mass along
-  bool ramped = false;        // load over a window
-  bool end_velocity = false;  // the water sees the piston's velocity at the end, not the mean
+  double mass = 1000;       // per area [kg/m2]
+  double stiffness = 1e5;   // per area [N/m3]
+  double density = 1000;    // density of the water [kg/m3]
+  double height = 0.5;      // height of the column [m]
+  double gravity = 9.81;    // [m/s2]
+  int points = 5;           // number of points that share the area
+  int substeps = 10;        // sub-steps of the solid in a window
+  bool tells_mode = false;  // whether it sends its mode, for schemes that include its added mass
+  bool ramped = false;      // load over a window
+  bool end_velocity =
+      false;  // whether the water gets the piston's velocity at the end of the window instead of the mean
 
   double added_mass() const { return density * height; }
   double wet_frequency() const {  // [Hz]
@@ -175,7 +176,7 @@ inline std::unique_ptr<MockSolid> sprung_piston(const Piston& piston) {
   return solid;
 }
 
-/// As much of a case as the mocks look at, and all that the schema requires.
+/// The keys of a case that the mocks use, and all that the schema requires.
 inline v1::Case piston_case() {
   v1::Case the_case;
   the_case.set_title("piston");

@@ -8,7 +8,8 @@
 namespace cosurge::testing {
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-/// Sanitizers keep what was freed, and a shadow of all memory: what a process takes says nothing then.
+/// Whether the memory of the program can be measured: not with sanitizers, which keep freed memory and a
+/// shadow of all memory.
 constexpr bool memory_can_be_measured = false;
 #else
 constexpr bool memory_can_be_measured = true;

@@ -22,7 +22,7 @@ class PressureHistory : public Observer {
   std::vector<std::vector<double>> coupling;
 };
 
-/// `count` windows with the words of the coupling, on both sides of the seam.
+/// Computes `count` windows with the settings of the coupling for both participants.
 struct PistonRun {
   std::unique_ptr<MockFluid> fluid;
   std::unique_ptr<MockSolid> solid;

@@ -34,7 +34,7 @@ struct PistonSwing {
 };
 
 /// The factor z from window to window of y_k = c + Re(a z^k), from y_(k+2) = 2 Re(z) y_(k+1) - |z|^2 y_k +
-/// const by least squares, from a window on when what else the scheme remembers has died away.
+/// const by least squares. The fit begins at a window when the other modes of the scheme have decayed.
 inline std::complex<double> window_factor(const std::vector<double>& y, std::size_t from) {
   const auto rows = static_cast<Eigen::Index>(y.size() - from - 2);
   Eigen::MatrixXd A(rows, 3);

@@ -1,4 +1,4 @@
-// The plates of the tables: any model under a smooth load, and the motion of its end.
+// The plates of the tables: any model under a smooth load, and the displacement of its end.
 #pragma once
 
 #include <functional>
@@ -17,13 +17,14 @@ struct PlateCase {
   v1::SolidModel::Word model = v1::SolidModel::mps;
   v1::SolidMps::Pairs pairs = v1::SolidMps::corrected;  ///< for `mps`
   Cantilever plate;
-  int particles = 12;    ///< through the thickness; elements have three of them along a side
+  int particles = 12;    ///< number through the thickness; elements have a side of three spacings
   bool clamped = true;   ///< at the foot
   double gravity_x = 0;  ///< [m/s2]
   double damping_ratio = 0;
-  int steps_of_period = 0;  ///< for `fem`: smallest number in the first period; 0: one step a window
+  int steps_of_period = 0;  ///< for `fem`: least number of steps in the first period; 0: one step per window
   double viscosity = 0;     ///< for `mps` and `hamiltonian`
-  bool only_face = false;  ///< points on the left face alone, as water sees it; otherwise in all of the plate
+  bool only_face =
+      false;  ///< points on the left face only, as the water has them; otherwise in the whole plate
 
   double spacing() const { return plate.thickness / particles; }
   v1::Case make() const;

@@ -1,4 +1,4 @@
-// A pressure on a face as it was recorded.
+// A recorded pressure on a face.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ class RecordedPressure {
 
   const std::vector<double>& times() const { return times_; }  ///< [s]
 
-  /// At an instant, linear between the gauges and constant beyond them [Pa].
+  /// Pressure at a height and an instant [Pa], linear between the gauges and constant beyond them.
   double at(std::size_t instant, double height) const;
 
  private:

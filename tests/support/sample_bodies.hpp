@@ -1,4 +1,4 @@
-// One block of each deformable body under the same hands, for tests that all of them must pass.
+// One block of each deformable body with a common interface, for tests that all of them must pass.
 #pragma once
 
 #include <cmath>
@@ -38,7 +38,8 @@ struct Block {
 class FemSample {
  public:
   static constexpr double poisson_ratio = 0.3;
-  static constexpr double clear_of_faces = 1e-6;  ///< [m] from where on a node is inside
+  static constexpr double clear_of_faces =
+      1e-6;  ///< [m] distance from the faces from which on a node is in the interior
   static constexpr double conserves =
       1e-7;  ///< momenta: the balance of forces is 1e-10 of the largest, 200 times
   static constexpr double rounding = 1e-11;   ///< sum of all forces over the largest force

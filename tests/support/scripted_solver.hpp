@@ -1,4 +1,4 @@
-// A solver whose answers are written down beforehand, one of them spoiled; and what its coupler says.
+// A solver with prepared answers, one of them changed; and the message of its coupler.
 #pragma once
 
 #include <functional>
@@ -44,7 +44,7 @@ inline v1::Request request_of(Phase phase, Role role, const std::string& token) 
   return request;
 }
 
-/// The answers of a right solver.
+/// The answers of a correct solver.
 inline std::vector<v1::Reply> right_answers(Role role, const std::string& token) {
   const Piston piston;
   const auto fluid = water_column(piston);
@@ -102,7 +102,7 @@ inline std::string error_of_coupler(Role role, const std::string& token,
   return "";
 }
 
-/// The same for a right solver of which one answer is spoiled.
+/// The same for a correct solver with one changed answer.
 inline std::string error_of_coupler(Role role, Phase phase, const std::function<void(v1::Reply&)>& spoil) {
   const std::string token = "token of the run";
   std::vector<v1::Reply> answers = right_answers(role, token);

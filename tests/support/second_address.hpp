@@ -1,4 +1,4 @@
-// An address at which other machines could reach this one.
+// An address of this machine that other machines could reach.
 #pragma once
 
 #include <arpa/inet.h>

@@ -1,4 +1,4 @@
-// Water that falls towards a plate, in a tank of 0.3 m; and a hand in it.
+// Water that falls towards a plate, in a tank of 0.3 m; and functions that change its state.
 #pragma once
 
 #include "common/state_bytes.hpp"

@@ -14,8 +14,9 @@ double shear_stiffness(const Cantilever& c) {
   return shear_factor * c.thickness * c.young_modulus / (2 * (1 + c.poisson_ratio));
 }
 
-/// Zero where omega is a frequency: det of end moment and shear force by those at the clamp. With lengths
-/// over L, w' = phi + Q / S, phi' = M, Q' = -m w, M' = -Q - j phi, forces over D / L^2 and D / L.
+/// Determinant of end moment and shear force by those at the clamp, which is zero if omega is an angular
+/// frequency of the beam. With lengths over L: w' = phi + Q / S, phi' = M, Q' = -m w, M' = -Q - j phi, forces
+/// over D / L^2 and D / L.
 double closure(const Cantilever& c, double omega) {
   const double L = c.length, D = c.rigidity(), mass = c.density * c.thickness;
   Eigen::Matrix4d A = Eigen::Matrix4d::Zero();

@@ -24,9 +24,9 @@ inline double filled(const Mps<2>& mps, double spacing, const Box<2>& box) {
   return area / (box.max - box.min).prod();
 }
 
-/// Side 1 m, 1 / s, in windows of 4 ms. The pressure inside is negative, -0.1473 rho omega^2 L^2 in the
-/// middle at first; without it every particle flies straight on, and the density falls as 1 / (1 + (omega
-/// t)^2).
+/// A square with a side of 1 m that rotates at 1 rad/s, in windows of 4 ms. The pressure inside is negative,
+/// initially -0.1473 rho omega^2 L^2 in the middle. Without it every particle moves straight, and the density
+/// falls as 1 / (1 + (omega t)^2).
 class TurningPatch {
  public:
   struct Choice {

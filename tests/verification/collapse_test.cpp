@@ -85,8 +85,8 @@ TEST_P(CollapsingColumn, KeepsVolumeAndEnergyAndRunsAsPublished) {
     EXPECT_GT(gain, -0.03 * kinetic[k]) << run.time()[k];
   }
 
-  // Koshizuka & Oka's computation, released at once as here, is met to the reading of the curves and a
-  // spacing's error of the front; Martin & Moyce's water, behind a gate, is never ahead.
+  // The result equals Koshizuka & Oka's computation, which also releases the water at once, to the accuracy
+  // of the read curves and a spacing. Martin & Moyce's water, behind a gate, is never ahead.
   const Curve computed = published("koshizuka_oka_1996.csv");
   const Curve measured = published("martin_moyce_1952_225.csv");
   for (double T = 0.5; T < 1.35; T += 0.1) {

@@ -105,8 +105,9 @@ double created_beside_still_water(const std::vector<std::string>& structure) {
   return run.column("coupling/work_created").back() / passed;
 }
 
-// Both sides of a border of weak coupling (docs/stability.md, finer lattices): the finer the water, the
-// sooner it answers, and the waves through a soft plate's thickness must lose more than that gives them.
+// Both sides of the stability limit of weak coupling (docs/stability.md, finer lattices): finer water
+// responds faster, and the damping of waves through a soft plate's thickness must exceed the energy that this
+// response adds.
 TEST(FineLattice, WeakCouplingNeedsElementsThatDampTheirFastestMotions) {
   EXPECT_LT(std::abs(created_beside_still_water({})), 0.02);                   // 0.003 to 0.006 seen
   EXPECT_GT(created_beside_still_water({"solid.fem.rho_infinity=0.9"}), 0.1);  // 0.5 to 0.8 seen

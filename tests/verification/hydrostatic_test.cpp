@@ -64,8 +64,8 @@ TEST(Hydrostatic, WallPressureIsThatOfTheDepthAndNothingDrifts) {
   // The centres of the top particles lie half a spacing below the surface: level and volume to a spacing.
   EXPECT_NEAR(surface_level(run.frames().back().second.front()), 0.2 - 0.5 * 0.0025, 0.0025);
   for (const double lost : run.column("fluid/lost")) ASSERT_EQ(lost, 0);
-  // The water keeps its density, whatever its arrangement: its weight's energy stays within 0.1 %. Kept to
-  // the smooth density (2b) it sinks by 0.2 %, to the number density it swells by 4 %.
+  // The water keeps its density with any arrangement of the particles: the energy of its weight stays within
+  // 0.1 %. With the smooth density (2b) it would sink by 0.2 %, with the number density expand by 4 %.
   const auto& energy = run.column("fluid/gravity_energy");
   EXPECT_NEAR(energy.back() / energy.front(), 1, 0.001);
   // Kinetic energy decays from the rearrangement of the lattice to noise: below 1e-3 of the potential energy.

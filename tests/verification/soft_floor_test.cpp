@@ -25,14 +25,15 @@ double largest(const std::vector<double>& values, double from, double to) {
 
 class SoftFloor : public ::testing::TestWithParam<const char*> {};
 
-// A pressure that answers the compression of the structure itself would drive its waves: as long as it did,
-// the kinetic energy grew a thousandfold here. Numerical damping of the water is all that there is now.
+// A pressure in response to the compression of the structure itself drives its waves: with it the kinetic
+// energy grew a thousandfold here. Now the water has numerical damping only.
 TEST_P(SoftFloor, UnderWaterComesToRest) {
   const Recording run(soft_floor({std::string("solid.model=") + GetParam()}));
   const auto& energy = run.column("solid/kinetic_energy");
   EXPECT_GT(largest(energy, 0, 0.2), 1e-4);  // it swings: half the mass times (40 um * 2 pi * 80 Hz)^2
   EXPECT_LT(largest(energy, 0.8, 1), 0.2 * largest(energy, 0, 0.2));
-  // It fills the tank from wall to wall, and slides along the walls: no contact, which would take sub-steps.
+  // It spans the tank from wall to wall and slides along the walls without contact, which would need
+  // sub-steps.
   EXPECT_EQ(largest(run.column("solid/contact_points"), 0, 1), 0);
 }
 

@@ -46,7 +46,7 @@ TEST_P(SolidTheory, WavesRunAlongABarAtTheirSpeed) {
     bar.length *= k + 1;
     period[k] = 1 / swing_frequency(plate(bar), 20 / (4 * bar.length), {0, 1});
   }
-  // The difference of two lengths knows nothing of the ends.
+  // The difference of two lengths does not depend on the ends.
   EXPECT_NEAR(4 * rubber.length / (period[1] - period[0]) / 20, 1, 0.005);
 }
 
@@ -84,8 +84,9 @@ double fine_frequency(const Cantilever& beam) {
 }
 
 TEST_P(SolidTheory, PlateNearIncompressibilitySwingsAsFineElementsDo) {
-  // Twice as much in the deflection. Two elements of thickness; six particles, which are soft by what the
-  // change of volume varies within a cell (docs/method_solid.md, section 11).
+  // The deflection has twice the error of the frequency. Two elements, or six particles, through the
+  // thickness; these are soft, because the variation of the change of volume within a cell is neglected
+  // (docs/method_solid.md, section 11).
   const bool particles = GetParam() == v1::SolidModel::mps || GetParam() == v1::SolidModel::hamiltonian;
   for (const double nu : {0.3, 0.4, 0.45, 0.49, 0.499}) {
     const Cantilever beam = {

@@ -51,7 +51,7 @@ TEST(AutomaticCoupling, BecomesStrongWhereTheWaterIsHeavyAndSaysWhy) {
 }
 
 TEST(AutomaticCoupling, KeepsNothingOfTheWindowsInWhichWeakBecameUnstable) {
-  // Heavy water from a certain window on: the probe finds it up to nine windows later.
+  // The water becomes heavy at a certain window; the next probe is up to nine windows later.
   constexpr std::size_t light = 34, all = 60;
   const auto made_heavy = [](v1::Coupling::Scheme scheme) {
     Piston piston = AutomaticRun::piston_of(0.2);
@@ -80,7 +80,7 @@ TEST(AutomaticCoupling, KeepsNothingOfTheWindowsInWhichWeakBecameUnstable) {
     if (k < light + 6) weak_off = std::max(weak_off, std::abs(weak.at(k) - strong.at(k)));
   }
   EXPECT_LT(automatic_off, 0.05 * swing);  // `weak` lags by a window while the water is light
-  EXPECT_GT(weak_off, swing);              // six windows in, five times louder each
+  EXPECT_GT(weak_off, swing);              // the error grows fivefold in each of six windows
 }
 
 TEST(AutomaticCoupling, GoesOnBitForBitFromASavedState) {

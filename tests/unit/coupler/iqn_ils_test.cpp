@@ -52,7 +52,7 @@ TEST(IqnIls, WindowsWithTheSameAddedMassBecomeCheap) {
   const int first = iterate(relaxation, M);
   for (int k = 0; k < 4; ++k) iterate(relaxation, M);
   EXPECT_GE(first, 5);
-  EXPECT_LE(iterate(relaxation, M), 2);  // all that the right-hand side excites is known
+  EXPECT_LE(iterate(relaxation, M), 2);  // all modes that the right-hand side excites are known
 }
 
 TEST(IqnIls, WhatPastWindowsHaveShownDoesNotHinderOneWhoseWaterHasGoneElsewhere) {
@@ -61,7 +61,7 @@ TEST(IqnIls, WhatPastWindowsHaveShownDoesNotHinderOneWhoseWaterHasGoneElsewhere)
     IqnIls fresh(0.5, 0), reusing(0.5, 5);
     for (int k = 0; k < 5; ++k) iterate(reusing, AddedMass(20, 1));
     const AddedMass other(20, seed);
-    // A step or two by what was true before, then as without.
+    // One or two steps with the outdated columns, then as without them.
     EXPECT_LE(iterate(reusing, other), iterate(fresh, other) + 2) << seed;
   }
 }

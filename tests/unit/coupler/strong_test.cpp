@@ -81,7 +81,7 @@ TEST(ConstantRelaxation, ConvergesUpToItsLimitAndNoFurther) {
 }
 
 TEST(StrongCoupling, FindsAddedMassRatioAndSolutionOfOneUnknownInThreeIterations) {
-  // Aitken and IQN-ILS are the secant method there: two iterations to know the line, one to hit its zero.
+  // There both are the secant method: two iterations to know the line, one to hit its zero.
   for (const auto relaxation : {v1::Iteration::aitken, v1::Iteration::iqn_ils}) {
     v1::Coupling coupling = strong(relaxation);
     coupling.set_velocity(v1::Coupling::end);
@@ -141,8 +141,8 @@ TEST(StrongCoupling, OfTheMeanVelocityUnderARampIsUnstableBeyondARatioOfThree) {
 }
 
 TEST(StrongCoupling, CreatesNoEnergyAtTheInterface) {
-  // The water has seen the resulting motion, to the tolerance; with the mean velocity both works are computed
-  // for the same load on the same path.
+  // The water has used the resulting motion, to the tolerance. With the mean velocity both works are computed
+  // for the same load and the same displacement.
   PistonRun run(piston_of(5), strong(v1::Iteration::iqn_ils));
   run.run(1000);
   double gross = 0, before = 0;
@@ -177,7 +177,7 @@ TEST(StrongInertial, NeedsOneIterationWhereTheModesTellAll) {
 }
 
 TEST(StrongInertial, FindsWhatStrongFindsWhateverTheModesSay) {
-  // The mean velocity over many sub-steps answers half of what the mode tells.
+  // The mean velocity over many sub-steps responds by half of what the mode predicts.
   for (const double ratio : {0.5, 7.0}) {
     Piston piston = piston_of(ratio);
     piston.tells_mode = true;

@@ -30,8 +30,8 @@ TEST(Swing, TellsAStableRunFromOneWhoseAlternationGrows) {
 }
 
 TEST(Swing, TellsALoadThatAlternatesAndGrowsNoMore) {
-  // At the limit of `weak` an alternation neither grows nor dies. The first window makes it: water that the
-  // piston has set in motion unawares.
+  // At the limit of `weak` an alternation neither grows nor decays. It starts in the first window, in which
+  // the water responds to the motion of the piston for the first time.
   EXPECT_EQ(judgement(0.999, v1::Coupling::end, 20000, 200), "growing");
   EXPECT_EQ(judgement(0.9, v1::Coupling::end, 20000, 200), "stable");  // 0.9^150
 }

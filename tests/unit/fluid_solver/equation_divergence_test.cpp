@@ -72,7 +72,7 @@ TEST(EquationDivergence, OfABodysFacesDoesNotSeeTheBodysOwnStrain) {
   for (int i = 0; i < particles.size(); ++i)
     if (of_body(particles.kind[i])) particles.u[i] = strain(particles.x[i]);
   for (int i = 0; i < particles.size(); ++i) {
-    // Water that moves as the point it looks at: only the body's other points move against it.
+    // Water that moves with the point under test: only the body's other points move relative to it.
     if (particles.kind[i] != Kind::body_surface) continue;
     auto moved = particles;
     for (int j = 0; j < moved.size(); ++j)
@@ -109,7 +109,7 @@ TEST(EquationDivergence, IsTheRateAtWhichTheSmoothDensityThinsInAnyDisorder) {
   Tank<2> tank({.disorder = 0.2});
   auto& particles = tank.cloud.particles;
   for (auto& normal : particles.normal)
-    normal.setZero();  // the density counts what walls move along their faces
+    normal.setZero();  // without normals: the density changes also by walls that move along their faces
   std::mt19937 random(3);
   std::normal_distribution<double> speed(0, 1);
   for (auto& u : particles.u) u = {speed(random), speed(random)};
@@ -166,8 +166,8 @@ struct Patch {
   }
 };
 
-// A column that collapses stretches its lattice along and draws it in across. Eq. (10) takes the motion that
-// goes on with it for a divergence, since near pairs weigh more than far ones.
+// A collapsing column stretches its lattice along one axis and contracts it across. Eq. (10) gives a
+// divergence for a motion that continues this, since near pairs have larger weights than far ones.
 TEST(EquationDivergence, SeesThatAStretchedLatticeKeepsItsVolume) {
   constexpr double stretch = 1.2;
   Patch patch;

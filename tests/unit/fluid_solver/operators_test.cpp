@@ -141,7 +141,7 @@ TYPED_TEST(Operators, ThePurelyRepulsiveGradientDoesNotSeeDummies) {
   std::fill(particles.p.begin(), particles.p.end(), 1000.0);
   for (int j = 0; j < particles.size(); ++j)
     if (particles.x[j][0] < 3 * l0) particles.kind[j] = Kind::dummy, particles.p[j] = 0;
-  // A dummy's zero in P_min would push with the whole pressure.
+  // A dummy's pressure of zero in P_min would push with the whole pressure.
   EXPECT_EQ(gradient_p_min(particles, neighbors, l.i, l.reference.n0), Vec<dim>(Vec<dim>::Zero()));
 }
 
@@ -277,9 +277,9 @@ TEST(OperatorsOrder, IsTwoOnTheLattice) {
   EXPECT_NEAR(std::log2(lap_coarse / lap_fine), 2, 0.2);
 }
 
-// The price of sums without correction, common to all of MPS: where particles lie in disorder, a linear field
-// already has an error of the order of the disorder, whatever h. So the divergence does not converge (order
-// 0), and the Laplacian diverges (order -1).
+// A property of sums without correction, common to all of MPS: where particles are disordered, a linear field
+// has an error of the order of the disorder, at any spacing. So the divergence does not converge (order 0),
+// and the Laplacian diverges (order -1).
 TEST(OperatorsOrder, IsZeroForTheDivergenceAndMinusOneForTheLaplacianInDisorder) {
   const auto [div_coarse, lap_coarse] = wave_errors<2>(32, 0.1);
   const auto [div_fine, lap_fine] = wave_errors<2>(128, 0.1);

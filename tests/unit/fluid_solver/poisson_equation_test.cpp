@@ -116,7 +116,7 @@ double hydrostatic_residual(const Tank<dim>& tank, double depth, int& rows, Chos
   return worst;
 }
 
-// Full supports of the lattice: floor, side walls and corners are exact, dummies stand for the missing water.
+// Full supports: floor, side walls and corners are exact, because dummies represent the missing water.
 template <int dim>
 void expect_hydrostatics(double depth) {
   const Tank<dim> tank({.water = depth});
@@ -132,9 +132,9 @@ TEST(PoissonEquation, HydrostaticPressureSolvesItDownToTheCornersOfATank) {
   expect_hydrostatics<3>(0.10);
 }
 
-// Within its radius of the surface the support of the Laplacian ends at the surface layer, and what is
-// missing above has no stand-in. The solution is hydrostatic below, under a surface that lies this much too
-// high.
+// Within its radius of the surface the support of the Laplacian ends at the surface layer, and nothing
+// represents the missing part above it. The solution below is hydrostatic, for a surface that lies this much
+// too high.
 TEST(PoissonEquation, TheFreeSurfaceLiesLessThanASpacingTooHigh) {
   const Tank<2> tank({});
   const Matrix& A = tank.equation.matrix();

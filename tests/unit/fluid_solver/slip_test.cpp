@@ -1,4 +1,4 @@
-// Water slides along walls: the divergence does not see how fast.
+// Water slides along walls: the divergence does not depend on the velocity along them.
 #include <gtest/gtest.h>
 
 #include "tests/support/pressure_tank.hpp"
@@ -56,8 +56,9 @@ std::pair<double, double> flux_of_floor(double along) {
   return {all, floor};
 }
 
-// What a plane wall gives to the water by a sudden motion: the flux through each column of rows is the wall's
-// speed, eq. (10c), so that the pressure above the rows that see the wall equals the exact solution.
+// A plane wall that is suddenly set in motion causes the flux of eq. (10c) through each column of matrix
+// rows, the speed of the wall. So the pressure above the rows that interact with the wall equals the exact
+// solution.
 TEST(Slip, TheMomentumThatAWallGivesByASuddenMotionIsExact) {
   for (const double along : {0.0, 3.0}) {
     EXPECT_NEAR(flux_of_floor<2>(along).first, 1, 1e-5);
@@ -66,7 +67,7 @@ TEST(Slip, TheMomentumThatAWallGivesByASuddenMotionIsExact) {
   EXPECT_GT(flux_of_floor<2>(0).second, 0.3);  // most of it at the wall itself
 }
 
-// Flow against a wall: the water gives way along it as fast as it comes, and none of it is compressed.
+// Flow against a wall: the water moves aside along it without compression.
 TEST(Slip, FlowThatTurnsAsideAtAWallHasHardlyAnyDivergence) {
   Tank<2> tank({.open_surface = true});
   auto& particles = tank.cloud.particles;

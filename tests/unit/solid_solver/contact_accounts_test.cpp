@@ -17,8 +17,9 @@ using Word = v1::SolidModel;
 constexpr double g = 9.81;
 constexpr double rho = ContactScene::density;
 
-/// Share of the energy of the blows that springs of contact may make or lose, and that the model's own
-/// account may miss. Largest in the plane: 2.4 % (`mps`), 0.7 % (`hamiltonian`, and `sprung` between two
+/// Allowed error of the energy by the contact springs, and of the model's own energy, relative to the energy
+/// of the blows. Largest values in the plane: 2.4 % (`mps`), 0.7 % (`hamiltonian`, and `sprung` between two
+/// slopes).
 /// slopes).
 double allowed(Word::Word model) { return model == Word::mps ? 0.04 : 0.02; }
 

@@ -54,7 +54,7 @@ void deform(MpsBody<2>& body, const Mat<2>& F, double angle) {
   }
 }
 
-/// The sums of the method pair by pair, as they stand in the documentation.
+/// The sums of the method pair by pair, in the form of docs/method_solid.md.
 Field pairwise_acceleration(const Block& block, const MpsBody<2>& body, const std::vector<double>& angle) {
   const Elasticity m = material_of(block);
   const Field q = body.displacement();
@@ -165,7 +165,8 @@ double bar_period(const Block& block, double dt, int crossings_wanted) {
   return 2 * (crossings.back() - crossings.front()) / (crossings_wanted - 1);
 }
 
-/// Speed [m/s] from the half periods of bars of two lengths: their difference knows nothing of the soft ends.
+/// Speed [m/s] from the half periods of bars of two lengths: their difference does not depend on the soft
+/// ends.
 double bar_speed(int columns) {
   double half_period[2];
   for (int k = 0; k < 2; ++k) {

@@ -30,7 +30,7 @@ struct Asked {
     c.mutable_coupling()->set_scheme(v1::Coupling::strong_inertial);
     c.mutable_coupling()->set_modes(12);
     c.mutable_solid()->mutable_modal()->set_modes(12);
-    c.mutable_solid()->mutable_fem()->set_rho_infinity(1);  // steps of 0.3 answer a new load by 9.5 % less
+    c.mutable_solid()->mutable_fem()->set_rho_infinity(1);  // with 0.3 it responds 9.5 % less to a new load
     interface = c.dimension() == 2 ? test::points_on<2>(c.solid().body(0), c.fluid().spacing())
                                    : test::points_on<3>(c.solid().body(0), c.fluid().spacing());
     load = InterfaceLoad::zero(c.dimension(), interface.points());
@@ -73,7 +73,7 @@ TEST_P(RollingModes, TurnWithTheTank) {
   if (model == Word::sprung) c.mutable_solid()->mutable_sprung()->add_spring()->set_motion(v1::Spring::x);
   Asked run(c);
   Field none = Field::Zero(dimension, run.interface.points());
-  // The load of the first mode: others answer it with less than a hundredth.
+  // The load of the first mode: others respond with less than a hundredth of its response.
   const auto first_mode = [&] {
     run.load.force = none;
     run.advance(1e-3, Attempt::first);
@@ -96,7 +96,8 @@ TEST_P(RollingModes, TurnWithTheTank) {
   expected.row(0) = cosine * drawn.row(0) - sine * drawn.row(dimension - 1);
   expected.row(dimension - 1) = sine * drawn.row(0) + cosine * drawn.row(dimension - 1);
   EXPECT_LT((now - expected).norm(), 1e-6 * drawn.norm());  // the first window has turned by some 1e-8
-  // The answer is seen at the end of the window, the load half a window before: 1e-3 s of some 5 rad/s.
+  // The response is measured at the end of the window, the load acts half a window before: 1e-3 s of some
+  // 5 rad/s.
   const double half_a_window = 5e-3;
   const double others = model == Word::modal || model == Word::sprung ? 0 : 0.15;  // modes after the 12th
   EXPECT_LT(run.missed(none, 10 * now, 1e-3), half_a_window + others);
@@ -139,8 +140,8 @@ TEST_P(TurnedModes, TellTheSpinOfAFreeBodyThatHasTurned) {
     return force;
   };
   const double scale = 100 * 1500 * std::pow(0.01, dimension);  // 100 rad/s2
-  // Points press on elements in other places than inertia does, and higher modes answer, too: as where it is
-  // drawn.
+  // Points load elements at other places than inertia does, and higher modes respond, too, as in the initial
+  // position.
   const double drawn = run.missed(0 * couple(), scale * couple(), 1e-3);
   while (run.windows < 400) {
     run.load.force =

@@ -59,8 +59,8 @@ class FarAway : public testing::TestWithParam<v1::SolidModel::Word> {};
 TEST_P(FarAway, BodiesMoveAsAtTheOrigin) {
   const Vec<2> here = Flap{GetParam(), {0.2, 0}}.moved();
   ASSERT_GT(here[0], 1e-6);
-  // 9 m are within a hundred lengths of the origin. What places are known to is 1e-14 m at 90 m, 1e-9 m in
-  // metres of a map, over a flap of 0.04 m and its cells of 1 mm.
+  // 9 m are within a hundred lengths of the origin. Positions have a rounding error of 1e-14 m at 90 m and of
+  // 1e-9 m in map coordinates, compared with a flap of 0.04 m and cells of 1 mm.
   const std::vector<std::pair<Vec<2>, double>> places = {
       {{3, 0}, 1e-9}, {{90, 0}, 1e-9}, {{-90, 40}, 1e-9}, {{5e5, 5e6}, 2e-5}};
   for (const auto& [foot, off] : places) {
