@@ -8,6 +8,7 @@
 
 namespace cosurge {
 
+/// Options of cosurge certify.
 struct CertifyOptions {
   std::vector<std::string> command;    ///< the program and its arguments; --connect and --threads are added
   std::vector<std::string> overrides;  ///< changes to the scene's case: solid.model=fem

@@ -6,6 +6,7 @@
 
 namespace cosurge {
 
+/// Options of cosurge csv.
 struct CsvOptions {
   std::string results;               ///< folder of the results, or its results.h5
   std::vector<std::string> columns;  ///< "fluid/front", "solid/tip_x"; empty: all

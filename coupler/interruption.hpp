@@ -6,11 +6,12 @@
 
 namespace cosurge {
 
-/// From now on SIGINT, SIGTERM, SIGHUP (the terminal is closed), SIGUSR1, SIGUSR2 and SIGXCPU (a queue's
-/// warning) and SIGPIPE (whoever read the output is gone) are only noted. SIGHUP stays ignored where it was,
-/// as nohup has it.
+/// From now on these signals are noted instead of ending the process: SIGINT, SIGTERM, SIGHUP (the terminal
+/// was closed), SIGUSR1, SIGUSR2 and SIGXCPU (warnings of a batch system), and SIGPIPE (the output pipe was
+/// closed). SIGHUP stays ignored if it was ignored before, as under nohup.
 void note_interruptions();
 
+/// Whether a signal that ends the run has been noted.
 bool interrupted();
 
 /// Whether the present window must be given up: a second after the first signal, at once after a second one.

@@ -6,6 +6,7 @@
 
 namespace cosurge {
 
+/// Options of cosurge map.
 struct MapOptions {
   std::string case_path;
   std::vector<std::string> overrides;

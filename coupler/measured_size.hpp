@@ -8,6 +8,7 @@
 
 namespace cosurge {
 
+/// Size and cost of a case, measured in its first windows.
 struct MeasuredSize {
   std::vector<Member> members;    ///< the solvers with their particles and sub-steps
   long points = 0;                ///< of the interface

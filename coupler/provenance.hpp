@@ -7,6 +7,7 @@
 
 namespace cosurge {
 
+/// Where the case of a run was read, and how it was changed.
 struct Provenance {
   std::string case_file;               ///< absolute path; empty: not known
   std::vector<std::string> overrides;  ///< "key=value" that replace values of the file

@@ -25,6 +25,7 @@
 
 namespace cosurge {
 
+/// Writes the results of a run while it goes on, in the layout above.
 class Recorder : public Observer {
  public:
   static constexpr int format = 1;  ///< version of results.h5; raised when old readers would fail

@@ -8,6 +8,7 @@
 
 namespace cosurge {
 
+/// Options of cosurge run and cosurge resume.
 struct RunOptions {
   std::string case_path;
   std::vector<std::string> overrides;

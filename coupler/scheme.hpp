@@ -34,6 +34,7 @@ inline Effort one_exchange(const Field& seen, const Field& answered) {
   return {.iterations = 1, .residual = norm > 0 ? (answered - seen).norm() / norm : 0, .note = {}};
 }
 
+/// A coupling scheme: how motion and load are exchanged in a window.
 class Scheme {
  public:
   virtual ~Scheme() = default;
@@ -52,6 +53,7 @@ class Scheme {
   virtual void restore(InterfaceReader& state) = 0;
 };
 
+/// Creates the scheme of `coupling.scheme`.
 std::unique_ptr<Scheme> make_scheme(const v1::Coupling& coupling, Participants participants);
 
 }  // namespace cosurge

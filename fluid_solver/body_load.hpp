@@ -8,6 +8,7 @@
 
 namespace cosurge::fluid {
 
+/// Sums the load of the water on one body, for force and moment probes.
 template <int dim>
 class BodyLoad {
  public:

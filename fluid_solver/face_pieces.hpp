@@ -7,10 +7,11 @@
 
 namespace cosurge::fluid {
 
+/// A small piece of a face.
 template <int dim>
 struct FacePiece {
   Vec<dim> place;  ///< its centre [m]
-  Vec<dim> area;   ///< as long as its size, towards the water [m^(d-1)]
+  Vec<dim> area;   ///< area vector, towards the water [m^(d-1)]
 };
 
 /// Pieces of the boundary of a shape, none longer than `longest` [m]. Where closed parts of an outline

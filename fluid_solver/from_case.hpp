@@ -9,9 +9,11 @@
 
 namespace cosurge::fluid {
 
+/// The water of a case, with its tank, obstacles and method. `gravity` [m/s2].
 template <int dim>
 Water<dim> water_from_case(const v1::Fluid& fluid, const Vec<dim>& gravity);
 
+/// The bodies of all structures of a case, as the water needs them.
 template <int dim>
 std::vector<WetBody<dim>> bodies_from_case(const v1::Case& the_case);
 

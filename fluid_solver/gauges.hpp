@@ -26,6 +26,7 @@ class SurfacePressureProbe {
 template <int dim>
 double pressure_at(const Mps<dim>& mps, const Vec<dim>& x);
 
+/// Energies and extent of the water at one instant.
 struct WaterState {
   double kinetic_energy = 0;  ///< [J] (per metre of width in two dimensions)
   double gravity_energy = 0;  ///< [J], zero at the origin
@@ -33,6 +34,8 @@ struct WaterState {
   int inside_bodies = 0;      ///< fluid particles closer than half a spacing to an inner point of a body
 };
 
+/// The state of the water. `particle_mass` [kg], per metre of width in two dimensions; `spacing` [m];
+/// `gravity` [m/s2].
 template <int dim>
 WaterState survey_water(const Mps<dim>& mps, double particle_mass, double spacing, const Vec<dim>& gravity);
 

@@ -7,6 +7,7 @@
 
 namespace cosurge::fluid {
 
+/// Force and moment about a point, per metre of width in two dimensions.
 template <int dim>
 struct Load {
   Vec<dim> force = Vec<dim>::Zero();  ///< [N]

@@ -13,6 +13,7 @@
 
 namespace cosurge::fluid {
 
+/// Counts the water that has left the tank, by side.
 template <int dim>
 class LostWater {
  public:

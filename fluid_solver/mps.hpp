@@ -27,6 +27,8 @@ struct StepReport {
   double max_window = 0;  ///< largest next step [s]: eq. (17)
 };
 
+/// The water of a run: its particles, its walls and the bodies in it, and the step of the semi-implicit MPS
+/// method (docs/method.md, section 1).
 template <int dim>
 class Mps {
  public:

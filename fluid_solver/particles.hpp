@@ -23,6 +23,7 @@ constexpr bool has_pressure(Kind kind) { return kind != Kind::dummy && kind != K
 /// Whether a particle of this kind belongs to a structure.
 constexpr bool of_body(Kind kind) { return kind == Kind::body_surface || kind == Kind::body_inner; }
 
+/// All particles of the fluid solver; entry k of every array belongs to the particle in place k.
 template <int dim>
 struct Particles {
   std::vector<Vec<dim>> x;  ///< position [m]
@@ -33,7 +34,7 @@ struct Particles {
   /// zero where it is unknown, and for water.
   std::vector<Vec<dim>> normal;
   std::vector<Kind> kind;
-  std::vector<std::int32_t> id;  ///< place in the initial order, for ever
+  std::vector<std::int32_t> id;  ///< number in the initial order, which never changes
   std::vector<std::uint8_t> free_surface;
 
   int size() const { return static_cast<int>(x.size()); }

@@ -16,6 +16,7 @@ enum class Quantity {
   moment,    ///< of the same load about the point
 };
 
+/// A probe of the case, except displacement probes, which the solid solver reads.
 template <int dim>
 struct Probe {
   std::string name;

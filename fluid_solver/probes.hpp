@@ -20,6 +20,7 @@ struct ProbeInput {
   double end;                     ///< time [s]
 };
 
+/// All probes of the water. Their values are read after every window.
 template <int dim>
 class Probes {
  public:

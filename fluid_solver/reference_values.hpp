@@ -3,6 +3,7 @@
 
 namespace cosurge::fluid {
 
+/// Sums over the neighbours of a particle of the full lattice (docs/method.md, Weights and reference values).
 struct ReferenceValues {
   double n0;           ///< number density, eq. (2) [-]
   double lambda0;      ///< Laplacian coefficient sum(r^2 w) / sum(w), eq. (3) [m2]

@@ -8,13 +8,13 @@
 
 namespace cosurge::fluid {
 
+/// Parameters of the damping at the surface, eq. (7b).
 struct SurfaceDamping {
   double thin;   ///< number density below which a particle is near the surface [-]
-  double share;  ///< share of a relative velocity that a full neighbourhood removes in this step [-], at most
-                 ///< 0.3
+  double share;  ///< epsilon: share of a relative velocity that a full neighbourhood removes in a step [-]
 };
 
-/// Factor epsilon of eq. (7b) for a step `dt` [s] at the propagation speed c [m/s]: the relative velocity of
+/// Parameters of eq. (7b) for a step `dt` [s] at the propagation speed c [m/s]: the relative velocity of
 /// particles at the surface decays at the rate c / (2 l0).
 inline SurfaceDamping surface_damping(double n0, double c, double spacing, double dt) {
   constexpr double thin = 0.8;    // limit as a share of n0; the outer layer of the lattice has 0.68

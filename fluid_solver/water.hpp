@@ -29,6 +29,7 @@ struct FreeSurface {
   double delta;  ///< ... and the centroid of the neighbours is farther away [l0]
 };
 
+/// Collisions of particles, eq. (7).
 struct Collision {
   double distance;                    ///< particles that are closer and approach each other collide [l0]
   std::optional<double> restitution;  ///< coefficient; otherwise that of the surface's treatment
@@ -51,6 +52,7 @@ struct Method {
   PressureSolution pressure;
 };
 
+/// The water of a case, with its tank and obstacles.
 template <int dim>
 struct Water {
   double spacing;              ///< particle spacing l0 [m]

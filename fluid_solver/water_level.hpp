@@ -11,6 +11,7 @@ struct WaterParts {
   std::vector<int> size;           ///< particles of each part
 };
 
+/// Finds the connected parts of the water, from its particles at the end of the last step.
 template <int dim>
 WaterParts connected_water(const Mps<dim>& mps, double spacing);
 

@@ -12,6 +12,7 @@ namespace cosurge {
 template <int dim>
 Structure<dim> structure_from_case(const v1::Case& the_case);
 
+/// Tank, obstacles and expected window of a case, for contact and the choice of windows.
 template <int dim>
 Surroundings<dim> surroundings_from_case(const v1::Case& the_case);
 

@@ -10,6 +10,7 @@ namespace cosurge {
 /// sin w / w, (1 - cos w) / w^2, (w - sin w) / w^3, (w^2 / 2 - 1 + cos w) / w^4.
 std::array<double, 5> stumpff(double x);
 
+/// State of one oscillator.
 struct OscillatorState {
   double position = 0;
   double velocity = 0;

@@ -32,6 +32,7 @@ struct DisplacementProbe {
   int body;
 };
 
+/// Everything that the solid solver needs of a case.
 template <int dim>
 struct Scene {
   Structure<dim> structure;

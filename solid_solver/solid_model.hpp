@@ -34,6 +34,7 @@ struct NodeLayout {
   std::vector<int> particle_body;  ///< body of each particle in a frame
 };
 
+/// Energies of the bodies.
 struct Energies {
   double kinetic = 0;  ///< [J], per metre of width in two dimensions
   double elastic = 0;  ///< [J]
@@ -52,10 +53,10 @@ class SolidModel {
  public:
   virtual ~SolidModel() = default;
 
-  /// Columns of displacement and load.
+  /// Number of nodes, the columns of displacement and load.
   virtual Eigen::Index nodes() const = 0;
 
-  /// Particles of a frame.
+  /// Number of particles in a frame.
   virtual std::uint64_t particles() const = 0;
 
   /// H for points of the reference configuration that belong to the given bodies. Its matrix rows sum to one
@@ -68,15 +69,15 @@ class SolidModel {
 
   /// Computes one window in n sub-steps and returns n. Sub-step k has the load first + s_k (last - first),
   /// with the impulse of the linear load (S14): s_k = (k + 1/2) / n, or the instant at which the model
-  /// balances its forces. @throws NumericalError if the motion becomes unstable.
-  /// @throws NumericalError where the motion runs away.
+  /// balances its forces.
+  /// @throws NumericalError if the motion becomes unstable.
   virtual int advance(const Window& window, const NodalLoad& load) = 0;
 
   virtual Field displacement() const = 0;  ///< [m] dimension x nodes, at the end of the last window
 
   virtual Field velocity() const = 0;  ///< [m/s] dimension x nodes, at the end of the last window
 
-  /// sum over sub-steps k of s_k dq_k in the last window [m]: what ramped loads work on (S15).
+  /// z of (S15), the sum over the sub-steps k of s_k dq_k in the last window [m], dimension x nodes.
   virtual Field ramp_increment() const = 0;
 
   /// M^-1 f: the acceleration of the nodes by the loads f [N] alone, about the undeformed bodies [m/s2]; zero

@@ -12,6 +12,7 @@
 
 namespace cosurge {
 
+/// One body, with its clamps and supports.
 template <int dim>
 struct Body {
   Shape<dim> shape;                    ///< undeformed

@@ -27,6 +27,7 @@ struct BodyNumbers {
   std::optional<double> gain;
 };
 
+/// Numbers of the whole scene (docs/speed_accuracy.md, cosurge advise).
 struct SceneNumbers {
   double head = 0;                 ///< H, from the lowest to the highest water of the start [m]
   double speed = 0;                ///< V = sqrt(2 g H), of water that has fallen by H [m/s]

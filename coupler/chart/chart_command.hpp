@@ -5,6 +5,7 @@
 
 namespace cosurge {
 
+/// Options of cosurge chart.
 struct ChartOptions : StudyOptions {
   std::vector<std::string> truth;
 };

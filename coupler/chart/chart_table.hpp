@@ -30,6 +30,7 @@ struct ChartRow {
   std::vector<ChartValue> quantities;
 };
 
+/// The table of a chart.
 struct ChartTable {
   std::string note;  ///< the command
   std::vector<std::string> keys;

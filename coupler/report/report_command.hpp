@@ -6,6 +6,7 @@
 
 namespace cosurge {
 
+/// Options of cosurge report.
 struct ReportOptions {
   std::vector<std::string> results;  ///< folders of results, or their results.h5
   std::string out;                   ///< the page; empty: report.html in the first folder

@@ -9,6 +9,7 @@
 
 namespace cosurge {
 
+/// Options of the data of a page.
 struct DocumentOptions {
   std::filesystem::path case_folder;  ///< folder of reference curves; empty: as the results say
   double megabytes = 4;               ///< that frames of one run may take, about

@@ -6,6 +6,7 @@
 
 namespace cosurge {
 
+/// Options of cosurge watch.
 struct WatchOptions {
   std::vector<std::string> results;  ///< folders of results, or their results.h5
   int port = 0;                      ///< 0: any that is free

@@ -30,6 +30,7 @@ struct PlannedRun {
   v1::Case the_case;
 };
 
+/// All runs of a study.
 struct StudyPlan {
   std::vector<std::string> keys;  ///< of the plan: columns of the table
   int starts = 1;                 ///< runs of the same settings, one after the other

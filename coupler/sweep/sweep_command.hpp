@@ -5,6 +5,7 @@
 
 namespace cosurge {
 
+/// Options of cosurge sweep.
 struct SweepOptions : StudyOptions {
   bool keep = false;  ///< the results of the runs stay in the folder
 };

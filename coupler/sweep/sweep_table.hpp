@@ -15,6 +15,7 @@ struct SweepRow {
   std::string reason;              ///< why it did not finish
 };
 
+/// The table of a sweep.
 struct SweepTable {
   std::string note;  ///< the command
   std::vector<std::string> keys;

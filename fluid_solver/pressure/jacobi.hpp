@@ -5,6 +5,7 @@
 
 namespace cosurge::fluid {
 
+/// Multiplies the residual by the inverse of the diagonal of the matrix.
 class Jacobi : public Preconditioner {
  public:
   void set_up(const Matrix& A, const CellsOfUnknowns&) override { diagonal_ = &A.diagonal; }

@@ -40,9 +40,10 @@ class Preconditioner {
   virtual void apply(const std::vector<double>& r, std::vector<float>& z) = 0;
 };
 
+/// Creates the chosen preconditioner.
 std::unique_ptr<Preconditioner> make_preconditioner(PressureSolution::Preconditioner choice);
 
-/// Preconditioned conjugate gradients (Barrett et al. 1994, Templates, fig. 2.5) from the start value in x,
+/// Preconditioned conjugate gradients (Barrett et al. 1994, Templates, fig. 2.5) from the start value in x
 /// until
 /// ||b - A x|| <= tolerance ||b||. The residual is recomputed before success is reported.
 SolveReport conjugate_gradient(const Matrix& A, const std::vector<double>& b, Preconditioner& M,

@@ -8,6 +8,7 @@
 
 namespace cosurge::fluid {
 
+/// Constants of the pressure equation, eq. (11).
 template <int dim>
 struct PoissonParameters {
   double spacing;          ///< l0 [m]

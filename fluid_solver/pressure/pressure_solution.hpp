@@ -3,6 +3,7 @@
 
 namespace cosurge::fluid {
 
+/// Preconditioner, tolerance and limit of the conjugate gradients.
 struct PressureSolution {
   enum class Preconditioner {
     aggregation,  ///< multilevel, with aggregates of the particles in the cells of the neighbour search

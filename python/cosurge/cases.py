@@ -7,7 +7,7 @@ from . import _cosurge
 
 
 def toml_value(value):
-    """A value of Python in TOML. Raises TypeError for values that TOML does not have."""
+    """A Python value as TOML. Raises TypeError for values that TOML cannot represent."""
     if hasattr(value, "tolist"):  # numpy
         value = value.tolist()
     if isinstance(value, bool):
@@ -26,7 +26,7 @@ def toml_value(value):
 
 
 def toml_of(case):
-    """A dict, with dicts and lists in it, as the text of a case file: a table a group, a line a key. None leaves a key out."""
+    """The text of a case file for a nested dict: one table per dict, one line per key. Keys with the value None are omitted."""
     plain = {key: value for key, value in case.items() if not isinstance(value, dict) and value is not None}
     lines = [f"{key} = {toml_value(value)}" for key, value in plain.items()]
     for name, table in case.items():
@@ -36,12 +36,12 @@ def toml_of(case):
 
 
 def settings_of(values):
-    """{"key.path": value} as the words of --set; None removes a key, so that its default holds."""
+    """{"key.path": value} as arguments of --set; None removes a key, so that its default holds."""
     return [f"{key}={'none' if value is None else toml_value(value)}" for key, value in (values or {}).items()]
 
 
 def source_of(case, folder="."):
-    """path, text and folder of a case, as _cosurge takes them."""
+    """Path, text and folder of a case, as the functions of _cosurge expect them."""
     if isinstance(case, dict):
         return "", toml_of(case), os.fspath(folder)
     return os.fspath(case), "", os.fspath(folder)
@@ -50,7 +50,8 @@ def source_of(case, folder="."):
 def check(case, set=None, folder="."):
     """The case with all its defaults, as a dict.
 
-    case: a folder with a case.toml, the file, or a dict, whose files lie in `folder`. set: {"key.path": value}.
-    Raises cosurge.Error with all that is wrong, in the words of `cosurge check`.
+    case: a folder with a case.toml, the file, or a dict; the files that a dict names lie in `folder`.
+    set: {"key.path": value}, changes of the case.
+    Raises cosurge.Error with all errors of the case, as `cosurge check` reports them.
     """
     return json.loads(_cosurge.checked_case(*source_of(case, folder), settings_of(set)))

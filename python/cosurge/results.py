@@ -11,8 +11,7 @@ from . import _cosurge
 
 
 class History(np.ndarray):
-    """Values of one column over the windows of a run, with .name, .unit and .time [s]. Results of arithmetic are plain
-    arrays."""
+    """Values of one column over the windows of a run, with .name, .unit and .time [s]. Arithmetic returns plain arrays."""
 
     def __new__(cls, values, name, unit, time):
         history = np.asarray(values).view(cls)
@@ -33,12 +32,12 @@ class History(np.ndarray):
 
     @property
     def peak(self):
-        """The value farthest from zero, the first of them. NaN counts as no value."""
+        """The value farthest from zero; the first one if there are several. NaN counts as no value."""
         return float(np.asarray(self)[self._farthest()])
 
     @property
     def time_of_peak(self):
-        """When it is reached [s]."""
+        """Time of the peak [s]."""
         return float(self.time[self._farthest()])
 
     @property
@@ -56,10 +55,10 @@ class Frame(dict):
 
 
 class Results:
-    """The results of a run, in its folder. They are read anew at each call: also during the run."""
+    """The results of a run in a folder. Every call reads the files again, so that it can be used during the run."""
 
     def __init__(self, folder):
-        """Raises FileNotFoundError where there are none."""
+        """Raises FileNotFoundError if the folder contains no results."""
         self.folder = Path(folder)
         self.file = self.folder / "results.h5"
         if not self.file.is_file():
@@ -88,7 +87,7 @@ class Results:
         return name in self.keys()
 
     def __getitem__(self, name):
-        """A History. Raises KeyError with the names that there are."""
+        """The History of this name. Raises KeyError, with the existing names, if there is none."""
         with self._open() as file:
             if name not in file["history"] or not isinstance(file["history"][name], h5py.Dataset):
                 raise KeyError(f"{name}; the run has {', '.join(self.keys())}")
@@ -103,7 +102,7 @@ class Results:
             return file["frames/time"][:]
 
     def frame(self, member, index=-1):
-        """The particles of "fluid" or "solid" at one frame: a Frame of arrays, a row a particle."""
+        """The particles of "fluid" or "solid" at one frame: a Frame of arrays with one row per particle."""
         with self._open() as file:
             group = file[f"frames/{member}"]
             frame = Frame({name: data[index] for name, data in group.items()})
@@ -134,7 +133,7 @@ class Report:
         self.text = text
 
     def save(self, file):
-        """Writes the page. Raises FileExistsError where the file exists."""
+        """Writes the page to a file. Raises FileExistsError if the file exists."""
         with open(file, "x") as page:
             page.write(self.text)
 
@@ -144,5 +143,5 @@ class Report:
 
 
 def report(runs, megabytes=5):
-    """The page of `cosurge report` for some runs (Results or folders), of about this size."""
+    """The page of `cosurge report` for some runs (Results or folders), of about `megabytes` MB."""
     return Report(_cosurge.report_page([os.fspath(getattr(run, "folder", run)) for run in runs], megabytes))

@@ -10,14 +10,14 @@ from .results import Results
 def run(case, set=None, out=None, *, solid=None, on_window=None, wire=False, threads=0, folder="."):
     """Runs a case and returns its Results, which lie in the folder `out` (default: a new one in results/).
 
-    case, set, folder: as check() takes them.
-    solid: a cosurge.Solid that computes the structure, or, with wire=True, the command of a program that does.
+    case, set, folder: as in check().
+    solid: your own structure: a cosurge.Solid, or, with wire=True, the command of a program.
     on_window: called after every window with the time [s] and a dict of all values; True ends the run early.
-    wire: the solvers compute in processes of their own (a Solid of Python in a thread), as in `cosurge run`. The results have
-    the same bits.
-    threads: of the fluid solver; 0: one per core.
-    Raises Error (the case, the solid), NumericalError (the computation), and what on_window or the solid raises. The results
-    up to then are kept.
+    wire: run the solvers in processes of their own (a Python Solid in a thread), as in `cosurge run`. The results are
+    bit-identical.
+    threads: number of threads of the fluid solver; 0: one per core.
+    Raises Error for errors in the case or the solid, NumericalError if the computation fails, and the exceptions of on_window
+    and the solid. The results up to then are kept.
     """
     done = _cosurge.run(*source_of(case, folder), settings_of(set), "" if out is None else os.fspath(out), solid, on_window,
                         wire, threads)
@@ -27,8 +27,8 @@ def run(case, set=None, out=None, *, solid=None, on_window=None, wire=False, thr
 def sweep(case, over, out, set=None, **options):
     """Runs a case with all combinations of values; yields (values, Results) for each, one after the other.
 
-    over: {"key.path": [value, ...]}. out: the folder of all runs. A run that is there and has finished is not repeated.
-    options: as run() takes them.
+    over: {"key.path": [value, ...]}. out: the folder of all runs; finished runs in it are not repeated.
+    options: as in run().
     """
     for combination in itertools.product(*over.values()):
         values = dict(zip(over, combination))

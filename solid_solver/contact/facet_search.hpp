@@ -7,6 +7,7 @@
 
 namespace cosurge::contact {
 
+/// The point of a boundary that is nearest to a given point x.
 template <int dim>
 struct Nearest {
   double gap;                     ///< distance from the boundary, negative inside [m]

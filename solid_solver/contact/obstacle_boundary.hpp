@@ -8,6 +8,7 @@
 
 namespace cosurge::contact {
 
+/// Facets of an obstacle and the search for them, in the position of the obstacle at t = 0.
 template <int dim>
 class ObstacleBoundary {
  public:

@@ -10,8 +10,8 @@ namespace cosurge::contact {
 
 /// The matrix H of the vertices (SolidModel::interpolation). A vertex that its model does not reach, such as
 /// a spike between particles, follows the nearest vertex that it reaches. Vertices in or on a clamp are held
-/// and have an empty matrix row. @param position of the vertices [m], dimension x vertices; `body` of each
-/// vertex
+/// and have an empty matrix row.
+/// @param position of the vertices [m], dimension x vertices; `body` of each vertex
 template <int dim>
 Interpolation vertex_interpolation(const SolidModel& model, const Structure<dim>& structure,
                                    const Field& position, const std::vector<int>& body);

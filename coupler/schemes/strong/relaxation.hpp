@@ -23,6 +23,7 @@ class Relaxation {
   virtual void restore(InterfaceReader&) {}
 };
 
+/// Creates the method of `coupling.iteration.relaxation`.
 std::unique_ptr<Relaxation> make_relaxation(const v1::Iteration& iteration);
 
 }  // namespace cosurge

@@ -14,6 +14,7 @@ using SiteIndex = Eigen::Matrix<long, dim, 1>;
 /// Weight of a neighbour at distance r (Koshizuka & Oka 1996): w = r_e / r - 1 for r < r_e, else 0.
 double weight(double r, double re);
 
+/// A neighbour on the lattice.
 template <int dim>
 struct Neighbor {
   SiteIndex<dim> offset;
