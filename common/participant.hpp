@@ -1,4 +1,4 @@
-// The seam of the whole program: a solver that can take part in a coupled run.
+// The interfaces between coupler and solvers: what a Fluid and a Solid do in a coupled run.
 #pragma once
 
 #include <Eigen/Core>
@@ -33,19 +33,20 @@ struct Identity {
 /// The interface consists of the fluid's points on and in the bodies, in the reference configuration.
 struct Interface {
   int dimension = 0;
-  Field position;  ///< [m]
-  Field area;      ///< outward area vectors [m^(d-1)]; zero at inner points, which only complete the bodies
+  Field position;         ///< [m]
+  Field area;             ///< outward area vectors [m^(d-1)]; zero at inner points of the bodies
   std::vector<int> body;  ///< index of the body that a point belongs to
 
   Eigen::Index points() const { return position.cols(); }
 };
 
-/// One of the structure's lowest modes: by another load, the velocity over the window becomes v + mobility
-/// (shape . force - load) shape.
+/// One of the structure's lowest modes (docs/method.md, eq. 20). If the interface had the load `force`
+/// instead of the predicted one, the velocity v over the window would become v + mobility (shape . force -
+/// load) shape.
 struct Mode {
   Field shape;          ///< displacement of the points for a unit of the mode [m]
   double mobility = 0;  ///< velocity for a unit of load on the mode [m/(N s)]
-  double load = 0;      ///< load on the mode that the motion was computed with [N]
+  double load = 0;      ///< predicted load on the mode, with which the motion was computed [N]
 };
 
 /// Motion of the interface points, from the solid.
@@ -68,11 +69,11 @@ struct InterfaceLoad {
   static InterfaceLoad zero(int dimension, Eigen::Index points);
 };
 
-/// How often a participant goes through a window.
+/// Whether a participant computes a window once or repeatedly.
 enum class Attempt {
   once,   ///< the window is not repeated
-  first,  ///< it may be repeated, so the participant remembers its state
-  again   ///< it is repeated from the state that the participant remembers
+  first,  ///< it may be repeated: save the state before it
+  again   ///< it is repeated: restore the state saved before it
 };
 
 /// A coupling window: both solvers advance from start to start + size.
@@ -94,7 +95,7 @@ struct Setup {
   std::vector<Column> columns;
   std::uint64_t particles = 0;
   double window = 0;   ///< largest first window [s]
-  double substep = 0;  ///< the solver's own step [s]; 0 where it takes the window
+  double substep = 0;  ///< the solver's own step [s]; 0 if it takes the window as its step
 };
 
 /// Data of a participant for one window.
@@ -115,8 +116,8 @@ struct Array {
 /// The particles of a solver at one instant.
 using Snapshot = std::vector<Array>;
 
-/// A solver that can take part in a coupled run: a Fluid or a Solid. Cosurge's own solvers, the proxies over
-/// the wire and the mocks of the tests implement them; the coupler knows nothing else. Legal order:
+/// A solver that can take part in a coupled run: a Fluid or a Solid. Implemented by Cosurge's own solvers, by
+/// the proxies for solvers behind a connection, and by the mocks of the tests. Legal order of calls:
 /// initialize ( advance | save | restore | frame )* finalize. All calls throw Error or NumericalError if they
 /// cannot continue.
 class Participant {
@@ -126,8 +127,8 @@ class Participant {
   virtual Role role() const = 0;
   virtual Identity identity() const = 0;
 
-  /// The complete state as bytes: restore(save()) continues bit for bit, also in another process of the same
-  /// build.
+  /// The complete state as bytes. After restore(save()) the results are bit-identical, also in another
+  /// process of the same build.
   virtual std::string save() = 0;
   virtual void restore(const std::string& state) = 0;
 
@@ -137,7 +138,7 @@ class Participant {
   virtual void finalize() {}
 };
 
-/// The water: gets the motion of the interface points, and gives the load on them.
+/// The water: receives the motion of the interface points, and returns the load on them.
 class Fluid : public virtual Participant {
  public:
   Role role() const final { return Role::fluid; }
@@ -146,22 +147,22 @@ class Fluid : public virtual Participant {
   /// first window.
   virtual Setup initialize(const v1::Case& the_case, Interface& interface, InterfaceLoad& load) = 0;
 
-  /// One window: reads the motion, and fills the load, which has its size already. Between attempts of one
-  /// window only the velocity of the motion differs: the bodies stay where they were at the start.
+  /// Computes one window: reads the motion, and fills the load, which already has its size. Between attempts
+  /// at one window only the velocity of the motion differs: the bodies keep their positions at the start.
   virtual Report advance(const Window& window, const InterfaceMotion& motion, InterfaceLoad& load) = 0;
 };
 
-/// A structure: gets the load on the interface points, and gives their motion.
+/// A structure: receives the load on the interface points, and returns their motion.
 class Solid : public virtual Participant {
  public:
   Role role() const final { return Role::solid; }
 
-  /// Builds the initial state of a checked case, and fills the motion of the interface's points at the start
-  /// of the first window. `load` is the load before it.
+  /// Builds the initial state of a checked case, and fills the motion of the interface points at the start of
+  /// the first window. `load` is the load at that time.
   virtual Setup initialize(const v1::Case& the_case, const Interface& interface, const InterfaceLoad& load,
                            InterfaceMotion& motion) = 0;
 
-  /// One window: reads the load, and fills the motion, which has its size already.
+  /// Computes one window: reads the load, and fills the motion, which already has its size.
   virtual Report advance(const Window& window, const InterfaceLoad& load, InterfaceMotion& motion) = 0;
 };
 

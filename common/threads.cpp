@@ -14,7 +14,7 @@ void ensure_passive_waiting(char** argv) {
   ::setenv("GOMP_SPINCOUNT", short_spin, 0);
   std::error_code failed;
   const auto program = std::filesystem::read_symlink("/proc/self/exe", failed);
-  // Where this fails the program still computes the same, only less politely.
+  // If this fails, the results are the same, but waiting threads occupy their processors.
   if (!failed) ::execv(program.c_str(), argv);
 }
 

@@ -113,7 +113,7 @@ void check_fluid(const v1::Case& c, CaseErrors& errors) {
                                                  fluid.re_laplacian(), 2 * fluid.re_gradient()));
 }
 
-/// Obstacles: water on one side must not see water on the other.
+/// Obstacles must be so thick that the water on one side does not interact with the water on the other side.
 void check_thickness(const v1::Fluid& fluid, CaseErrors& errors) {
   const double layers = std::ceil(fluid.re_laplacian());
   for (const NamedBox& named : obstacle_boxes(fluid))
@@ -142,7 +142,7 @@ void check_solid(const v1::Case& c, CaseErrors& errors) {
     errors.add("solid.material",
                fmt::format("neo_hookean is available for the models fem and auto only, not for {}",
                            v1::SolidModel::Word_Name(solid.model())));
-  // Layers, so that water on one side does not see water on the other.
+  // Layers that keep the water on one side from interacting with the water on the other side.
   const double fewest = std::max(3.0, c.has_fluid() ? std::ceil(c.fluid().re_laplacian()) - 1 : 0.0);
   const std::vector<NamedBox> bounds = body_bounds(solid, c.dimension());
   for (int i = 0; i < solid.body_size(); ++i) {

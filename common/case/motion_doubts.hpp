@@ -1,4 +1,4 @@
-// Prescribed motions that are allowed, but hardly meant.
+// Warnings about prescribed motions that are allowed but probably not intended.
 #pragma once
 
 #include <string>

@@ -137,7 +137,7 @@ class Surface {
     return false;
   }
 
-  /// Parts that share a face fall into pieces there, which are as they should be.
+  /// Parts that touch at a common face are separated there, as they should be.
   bool is_closed(const std::vector<std::size_t>& part) const {
     std::vector<Triangle> own;
     for (const std::size_t t : part) own.push_back(triangles_[t]);

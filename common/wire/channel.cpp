@@ -12,9 +12,9 @@
 namespace cosurge {
 namespace {
 
-constexpr double look_around = 0.1;  // [s] between looks at whether the peer has ended
-constexpr double last_words = 1;  // [s] for a lost peer's last message, and for the cause of its end to show
-constexpr int farewell = 2000;    // [ms] to deliver a last message
+constexpr double look_around = 0.1;  // [s] between checks whether the peer has ended
+constexpr double last_words = 1;     // [s] wait for a lost peer's last message and the cause of its end
+constexpr int farewell = 2000;       // [ms] to deliver a last message
 
 using Clock = std::chrono::steady_clock;
 

@@ -8,11 +8,11 @@
 
 namespace cosurge {
 
-/// Lets few connections wait for their handshake at a time, and none but the peer's stay once the gate is
-/// shut. A connection that comes to a closed gate gets no answer from the system; it succeeds by one of its
-/// repetitions where the gate opens again. The gate closes when its owner has told it of the connections:
-/// more may come until then. Whoever sends much more than a handshake without having shown the key is cut
-/// off: ZeroMQ would keep as much as a message may have.
+/// Limits the number of connections that wait for their handshake, and keeps only the peer's connection once
+/// the gate is shut. A connection to a closed gate gets no answer from the system; a later attempt of it
+/// succeeds if the gate is open again. The gate closes when its owner has reported the connections, so that
+/// more may come until then. Connections that send much more than a handshake without having shown the key
+/// are closed, because ZeroMQ would store up to the size limit of a message for each.
 class Gate {
  public:
   /// Connections at a time: a quarter of the files that this process may open, 256 at most.

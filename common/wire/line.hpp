@@ -75,7 +75,7 @@ class Line {
   zmq::socket_t monitor_;  // monitor of socket_; unused within one process
   std::string endpoint_;
   std::string server_key_;
-  bool accepts_ = false;    // listens, so that others than the peer may knock
+  bool accepts_ = false;    // listens, so that strangers may try to connect
   bool connected_ = false;  // as the one that connects
   int peer_descriptor_ = -1;
   Gate gate_;

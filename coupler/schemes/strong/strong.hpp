@@ -55,7 +55,7 @@ class Strong : public Scheme {
   Effort effort_;
   AddedMassRatio ratio_;
   double stiffness_ = -1;  // kappa = |df| / |dv| [N s/m], the largest between iterations of the last window
-                           // (docs/method.md, eq. 18); -1: unknown
+                           // (docs/method.md, eq. 18b); -1: unknown
 };
 
 }  // namespace cosurge
