@@ -97,8 +97,7 @@ int map_command(const MapOptions& options) {
   for (const Axis& axis : axes) keys.push_back(axis.key);
   const std::string head = fmt::format("{},{}", fmt::join(keys, ","), columns);
   const auto grid = combinations(axes);
-  const fs::path parts =
-      options.out + ".cells";  // one file per cell, so that an interrupted map can continue
+  const fs::path parts = options.out + ".cells";  // one file per cell, to continue an interrupted map
   fs::create_directories(parts);
   std::vector<MapCell> files;
   for (const auto& values : grid) files.emplace_back(parts, settings_of(axes, values));

@@ -47,9 +47,8 @@ struct Driver {
   haddr_t end_of_file = 0;   // address of the end of the file on the disk
   int failure = 0;           // errno of the first write that failed; 0: none
   std::map<haddr_t, Block> waiting;
-  std::set<haddr_t> written;  // addresses of the parts of the index that are on the disk
-  std::map<haddr_t, TableHead>
-      split;  // heads of split tables, by address, to be written when the file is closed
+  std::set<haddr_t> written;           // addresses of the parts of the index that are on the disk
+  std::map<haddr_t, TableHead> split;  // heads that split tables get when the file is closed, by address
 };
 
 Driver& of(H5FD_t* base) { return *reinterpret_cast<Driver*>(base); }

@@ -60,8 +60,7 @@ std::vector<double> first_rows(const H5::DataSet& series, hsize_t rows) {
 std::string text_of(const H5::Attribute& attribute) {
   const bool one =
       attribute.getTypeClass() == H5T_STRING && attribute.getSpace().getSimpleExtentNpoints() == 1;
-  require(one, "the attribute {} is not one text",
-          attribute.getName());  // otherwise HDF5 would read beyond its end
+  require(one, "the attribute {} is not one text", attribute.getName());  // HDF5 would read beyond its end
   std::string text;
   attribute.read(attribute.getStrType(), text);
   return text;

@@ -18,13 +18,12 @@ struct Participants {
 
 /// Report of a scheme on the last window.
 struct Effort {
-  int iterations = 1;   ///< number of computations of the window by the fluid
-  double residual = 0;  ///< relative error of the velocity that the water used
-  std::string note;     ///< decision of the scheme after the window, with its reason; usually empty
-  bool converged =
-      true;  ///< false: the iteration did not converge; the iterate with the smallest residual is used
-  bool settled = true;  ///< false: the window may have to be repeated later
-  bool again = false;   ///< all windows since the last settled one must be repeated with the new choice
+  int iterations = 1;     ///< number of computations of the window by the fluid
+  double residual = 0;    ///< relative error of the velocity that the water used
+  std::string note;       ///< decision of the scheme after the window, with its reason; usually empty
+  bool converged = true;  ///< false: limit reached; the iterate with the least residual is used
+  bool settled = true;    ///< false: the window may have to be repeated later
+  bool again = false;     ///< all windows since the last settled one must be repeated with the new choice
 };
 
 /// The effort of one exchange, in which the water used the velocity `seen` and the structure responded with

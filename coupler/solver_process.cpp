@@ -153,8 +153,7 @@ bool SolverProcess::reap_within(milliseconds time) {
     int status = 0;
     const pid_t reaped = waitpid(pid_, &status, WNOHANG);
     if (reaped == pid_) status_ = status;
-    if (reaped < 0 && errno != EINTR)
-      status_ = 1 << 8;  // status taken by another wait: exit code unknown, not 0
+    if (reaped < 0 && errno != EINTR) status_ = 1 << 8;  // another wait took the exit code: unknown, not 0
     if (status_ || std::chrono::steady_clock::now() >= end) break;
     std::this_thread::sleep_for(milliseconds(5));
   }

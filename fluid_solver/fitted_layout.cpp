@@ -9,10 +9,9 @@
 namespace cosurge::fluid {
 namespace {
 
-constexpr double beside = 1.0;  // spacings farther than the nearest facet, within which no facet is oblique
-constexpr double behind =
-    0.25;                     // [spacings] distance of the last layer from the lattice, beyond half a spacing
-constexpr double gap = 0.95;  // [spacings] a lattice site farther than this from all particles fills a gap
+constexpr double beside = 1.0;   // spacings farther than the nearest facet, within which no facet is oblique
+constexpr double behind = 0.25;  // [spacings] from the last layer to the lattice, beyond half a spacing
+constexpr double gap = 0.95;     // [spacings] a lattice site farther than this from all particles fills a gap
 
 constexpr int wall_sweeps = 40, dummy_sweeps = 10;
 

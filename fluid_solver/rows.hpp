@@ -59,10 +59,9 @@ class Rows {
 
  private:
   int rows_ = 0;
-  std::vector<std::int32_t>
-      offset_;                // offset of each row in the range of its chunk, and the end of each chunk
-  std::int64_t stretch_ = 0;  // entries allocated for a chunk
-  int share_ = 0;             // average number of entries allocated for a row
+  std::vector<std::int32_t> offset_;  // offset of each row in its chunk's range, and end of each chunk
+  std::int64_t stretch_ = 0;          // entries allocated for a chunk
+  int share_ = 0;                     // average number of entries allocated for a row
 };
 
 }  // namespace cosurge::fluid

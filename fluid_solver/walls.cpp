@@ -80,8 +80,7 @@ auto Walls<dim>::tank_part() const -> Part {
 
 template <int dim>
 auto Walls<dim>::obstacle_part(const Obstacle<dim>& obstacle) const -> Part {
-  constexpr double nearest =
-      0.7;  // [spacings] least distance from particles of the tank and of earlier obstacles
+  constexpr double nearest = 0.7;  // [spacings] from particles of the tank and of earlier obstacles
   const Shape<dim>& shape = obstacle.shape;
   Part part{
       .place = {}, .normal = {}, .kind = {}, .motion = obstacle.motion, .with_tank = obstacle.with_tank};

@@ -67,8 +67,7 @@ SolveReport conjugate_gradient(const Matrix& A, const std::vector<double>& b, Pr
         }));
     ++report.iterations;
     if (norm > target && report.iterations < max_iterations) continue;
-    norm = std::sqrt(
-        residual(A, b, x, r));  // the recurrence may have lost accuracy: continue from the true residual
+    norm = std::sqrt(residual(A, b, x, r));  // the recurrence may be inaccurate: use the true residual
     fresh = true;
   }
   x.resize(static_cast<std::size_t>(size));

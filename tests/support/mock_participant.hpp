@@ -86,17 +86,16 @@ class MockSolid : public Solid, public MockParticipant {
 /// A column of incompressible water on a piston of unit area, the test bed with an exact answer: the added
 /// mass is density * height, the angular frequency sqrt(stiffness / (mass + density * height)).
 struct Piston {
-  double mass = 1000;       // per area [kg/m2]
-  double stiffness = 1e5;   // per area [N/m3]
-  double density = 1000;    // density of the water [kg/m3]
-  double height = 0.5;      // height of the column [m]
-  double gravity = 9.81;    // [m/s2]
-  int points = 5;           // number of points that share the area
-  int substeps = 10;        // sub-steps of the solid in a window
-  bool tells_mode = false;  // whether it sends its mode, for schemes that include its added mass
-  bool ramped = false;      // load over a window
-  bool end_velocity =
-      false;  // whether the water gets the piston's velocity at the end of the window instead of the mean
+  double mass = 1000;         // per area [kg/m2]
+  double stiffness = 1e5;     // per area [N/m3]
+  double density = 1000;      // density of the water [kg/m3]
+  double height = 0.5;        // height of the column [m]
+  double gravity = 9.81;      // [m/s2]
+  int points = 5;             // number of points that share the area
+  int substeps = 10;          // sub-steps of the solid in a window
+  bool tells_mode = false;    // whether it sends its mode, for schemes that include its added mass
+  bool ramped = false;        // load over a window
+  bool end_velocity = false;  // the water gets the velocity at the end, not the mean
 
   double added_mass() const { return density * height; }
   double wet_frequency() const {  // [Hz]

@@ -31,8 +31,7 @@ class Aitken : public Relaxation {
   void restore(InterfaceReader& state) override { state.get(omega_); }
 
  private:
-  static constexpr double smallest =
-      1e-3;  // for mu = 1000; with a smaller factor an iteration would hardly move
+  static constexpr double smallest = 1e-3;  // for mu = 1000; with less, an iteration hardly moves
 
   double omega_;
   Eigen::VectorXd last_;  // residual of the last iteration of this window

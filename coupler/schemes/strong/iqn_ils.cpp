@@ -13,8 +13,7 @@ constexpr double filter = 1e-2;
 // Without suction one or two such steps occur on the way to the solution.
 constexpr int few = 3;
 
-constexpr double longest =
-    1.5;  // largest step [residuals]; above 1, because (1 + M)^-1 is symmetric in another norm
+constexpr double longest = 1.5;  // [residuals] above 1: (1 + M)^-1 is symmetric in another norm
 
 }  // namespace
 

@@ -49,8 +49,7 @@ class CellGrid {
   Vec<dim> origin_, side_;
   CellBlock<dim> cells_, grid_;  // blocks of the cells and of the nodes
   std::vector<char> kept_;
-  std::vector<Eigen::Index> used_,
-      number_;  // index of each node in the whole grid; node at each index, or -1
+  std::vector<Eigen::Index> used_, number_;  // index in the whole grid of each node, and back
   std::vector<char> outer_;
 };
 

@@ -48,7 +48,7 @@ class FemBody {
   double elastic_energy(const Vector& u) const;     ///< [J]
   Vector momentum(const Vector& v) const;           ///< M v
   Field inertia(const Field& acceleration) const;   ///< M a over all nodes, including held ones [N]
-  /// Largest entry of the stiffness of the undeformed body, a force per displacement of a node [N/m].
+  /// Largest diagonal entry of the stiffness of the undeformed body [N/m].
   double largest_stiffness() const { return tangent(Vector::Zero(unknowns())).diagonal().maxCoeff(); }
   Deformation deformation(const Vector& u) const;
 

@@ -55,9 +55,8 @@ class FemModel : public SolidModel {
   void check_step(const NewtonReport& report, const Window& window, std::size_t body, double dt) const;
 
   MeshedBodies<dim> bodies_;
-  std::deque<GeneralisedAlpha<dim>>
-      motions_;     // one per body; a deque, because they cannot be moved in memory
-  double substep_;  // [s]; 0: the window
+  std::deque<GeneralisedAlpha<dim>> motions_;  // one per body; a deque, since they cannot be moved
+  double substep_;                             // [s]; 0: the window
   Vectors ramp_increment_;
   int iterations_ = 0;
 };

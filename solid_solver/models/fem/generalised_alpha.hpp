@@ -64,15 +64,14 @@ class GeneralisedAlpha {
  private:
   enum class Tangent { kept, fresh };  // factors of an earlier tangent, or a new tangent in every iteration
 
-  Vector coasting(
-      double dt) const;  // the part of the next displacement that does not depend on the next acceleration
+  Vector coasting(double dt) const;  // next displacement without the part of the next acceleration
   NewtonReport balance(const Vector& external, double dt, Tangent tangent, Vector& a);
   bool factorize(const Vector& u, double dt);
 
   const FemBody<dim>& body_;
   AlphaConstants constants_;
   double damping_rate_;
-  double stiffness_;  // largest entry of the undeformed body's stiffness [N/m]
+  double stiffness_;  // largest diagonal entry of the undeformed body's stiffness [N/m]
   Eigen::SimplicialLDLT<Matrix> solver_;
   Vector u_, v_, a_;
   Vector tangent_at_;      // displacement of the factorised tangent; tangent_dt_ is its step

@@ -76,8 +76,7 @@ struct Rotation<3> {
   std::array<Lanes, components> q;  // scalar first
 
   struct Pair {
-    Lanes scalar,
-        over_square;  // scalar part of the sum of both quaternions, and 2 over the square of the sum
+    Lanes scalar, over_square;  // scalar part of the sum of both quaternions, and 2 over its square
     LaneVec<3> vector;
     Lanes half_cosine;     // half the angle between the two
     LaneVec<3> half_sine;  // times the axis

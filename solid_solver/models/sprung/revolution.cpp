@@ -8,8 +8,7 @@
 namespace cosurge::sprung {
 namespace {
 
-constexpr double resolved =
-    0.05;  // [rad] of the rotation's oscillation in a sub-step; the error of the period is 2e-4
+constexpr double resolved = 0.05;  // [rad] of an oscillation per sub-step: period 2e-4 too long
 constexpr int most_substeps = 1000;
 
 /// The matrix of e_axis x.
