@@ -12,7 +12,7 @@ namespace cosurge {
 struct Fault {
   SolverFault kind;
   std::string solver;  ///< "fluid", "solid", or the name of one of several structures
-  double time;         ///< at the first window that begins then or later [s]
+  double time;         ///< [s] the solver fails at the first window that begins then or later
 };
 
 /// Faults from "KIND:SOLVER@TIME". `solvers`: names of all; `end`: of the run [s]; `elsewhere`: names of

@@ -21,8 +21,8 @@ struct Wiring {
   std::string listen;            ///< "tcp://address:port", or empty for a socket in the folder
   double patience = 600;         ///< longest wait for the solver's answer [s]
   std::size_t message_limit = Channel::Options{}.message_limit;  ///< [bytes]
-  std::vector<AllowedMachine> allowed = {};                      ///< as in Channel::Options
-  std::string name = {};  ///< of the solver, in messages and in the names of its files; default: its role
+  std::vector<AllowedMachine> allowed = {};  ///< machines that may connect, as in Channel::Options
+  std::string name = {};  ///< name of the solver in messages and file names; default: its role
 };
 
 /// A solver that runs elsewhere. It is started at once, and welcomed by join(), so that several can start

@@ -11,9 +11,9 @@ namespace cosurge {
 /// Size and cost of a case, measured in its first windows.
 struct MeasuredSize {
   std::vector<Member> members;    ///< the solvers with their particles and sub-steps
-  long points = 0;                ///< of the interface
+  long points = 0;                ///< number of interface points
   double windows = 0;             ///< to be expected until the end of the case
-  double megabytes = 0;           ///< of this process
+  double megabytes = 0;           ///< memory of this process [MB]
   double seconds_per_window = 0;  ///< mean of ten windows, after three
 
   double seconds() const { return windows * seconds_per_window; }  ///< to be expected for the run

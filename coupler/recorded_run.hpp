@@ -24,11 +24,11 @@ enum class Telling {
 /// A new case, or a resumption.
 struct RecordedRun {
   v1::Case the_case;
-  std::filesystem::path folder;  ///< of the results, which the caller holds
+  std::filesystem::path folder;  ///< folder of the results, which the caller has locked
   Provenance provenance;
   const Resumption* resumption = nullptr;
   Telling telling = Telling::line;
-  JsonLines* lines = nullptr;                ///< where telling is json
+  JsonLines* lines = nullptr;                ///< output of lines, if telling is json
   std::vector<Fault> faults = {};            ///< solvers that are to fail
   std::function<bool()> stop = interrupted;  ///< asked after every window
 };

@@ -71,7 +71,8 @@ Resumption resumption_of(const std::filesystem::path& folder, const std::vector<
                         .same_scheme = true,
                         .provenance = Provenance::of_results(folder / Recorder::results_name)};
   Checkpoint& checkpoint = resumption.checkpoint;
-  const v1::Case begun = change_case(checkpoint.the_case, {});  // with the defaults of newer keys
+  const v1::Case begun =
+      change_case(checkpoint.the_case, {});  // the case of the run, with the defaults of newer keys
   if (!overrides.empty()) checkpoint.the_case = change_case(begun, overrides);
   const std::vector<Difference> changes = differences(begun, checkpoint.the_case);
   require_changes(folder, checkpoint, checkpoint.the_case, changes);

@@ -61,7 +61,7 @@ v1::Case piston(double mass, v1::Coupling::Scheme scheme) {
 struct Outcome {
   bool ended = true;
   double created = 0;
-  double half_period = 0;  // from the start, at rest in its lowest place, to the first largest height [s]
+  double half_period = 0;  // time from the start, at rest in the lowest position, to the first maximum [s]
 };
 
 Outcome run(double mass, v1::Coupling::Scheme scheme) {

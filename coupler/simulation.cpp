@@ -26,7 +26,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr milliseconds grace{2000};         // for solvers to end by themselves
+constexpr milliseconds grace{2000};         // time in which solvers may end by themselves
 constexpr milliseconds grace_at_once{200};  // the same, for a user who waits
 
 std::string program_name(Role role) { return fmt::format("{}_solver", role_name(role)); }

@@ -87,7 +87,7 @@ class Simulation {
 
   // After begin():
   const std::vector<Member>& members() const;  ///< fluid first; their setups have the columns of reports
-  std::vector<Column> columns() const;         ///< of the coupler's own values
+  std::vector<Column> columns() const;         ///< columns of the coupler's own values
   double time() const;                         ///< reached [s]
   Fluid* fluid();                              ///< null where the case has none
   Solid* solid();                              ///< null where the case has none; several structures as one

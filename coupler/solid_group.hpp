@@ -62,9 +62,9 @@ class SolidGroup : public Solid {
 
   std::vector<Part> parts_;
   std::vector<Sum> sums_;
-  Field places_;                      // of the points in the reference configuration [m]
+  Field places_;                      // positions of the points in the reference configuration [m]
   std::vector<int> structure_;        // number of the part of each point
-  double spacing_ = 0;                // of the points [m]
+  double spacing_ = 0;                // spacing of the points [m]
   std::optional<std::uint64_t> met_;  // window in which two structures were first found to overlap
 };
 

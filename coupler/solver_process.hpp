@@ -52,7 +52,7 @@ class SolverProcess {
   pid_t pid_ = -1;
   std::filesystem::path log_;
   std::uintmax_t log_begin_ = 0;  // position in the log where this child's output begins
-  std::optional<int> status_;     // as of waitpid
+  std::optional<int> status_;     // exit status as waitpid returns it; empty while the child runs
 };
 
 }  // namespace cosurge

@@ -46,7 +46,7 @@ class AddedMass {
     const std::vector<double>& source_per_divergence;
     double least_per_change;
     double dt;
-    Attempt attempt;         ///< at the window
+    Attempt attempt;         ///< attempt at the window
     double tolerance;        ///< relative residual of the pressure equation
     double lowest_pressure;  ///< lower limit of the pressure [Pa]
   };

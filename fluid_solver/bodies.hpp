@@ -85,7 +85,7 @@ class Bodies {
   std::vector<bool> held_at_rest_;
   std::vector<Vec<dim>> position_;
   std::vector<Vec<dim>> area_;            // A_0
-  std::vector<Vec<dim>> normal_;          // of the face at the start
+  std::vector<Vec<dim>> normal_;          // normals of the undeformed faces
   std::vector<LatticeFaces<dim>> faces_;  // areas of the wet lattice faces
   std::vector<int> nearest_wet_;
   std::vector<int> body_;

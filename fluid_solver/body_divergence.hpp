@@ -13,11 +13,11 @@ template <int dim>
 struct BodiesInWater {
   const Particles<dim>& particles;
   const Neighbors<dim>& neighbors;
-  const ReferenceValues& reference;     ///< of the neighbours' radius
+  const ReferenceValues& reference;     ///< values for the radius of the neighbour lists
   const PoissonEquation<dim>& poisson;  ///< assembled
   const std::vector<int>& seen;         ///< the point whose velocity the water sees in each body point
-  const std::vector<Cover>& covers;     ///< of walls by bodies
-  const std::vector<std::int32_t>& body_place;  ///< of each body point among the particles
+  const std::vector<Cover>& covers;     ///< walls that bodies cover
+  const std::vector<std::int32_t>& body_place;  ///< place of each body point among the particles
 };
 
 /// Divergence [1/s] at each unknown of the pressure equation, eq. (10b), (10c), where the bodies' points have

@@ -143,7 +143,7 @@ class FluidParticipant::SceneOf : public Scene {
   double particle_mass() const { return water_.density * std::pow(water_.spacing, dim); }
 
   Water<dim> water_;
-  double longest_window_;  // that the case allows [s]
+  double longest_window_;  // longest window that the case allows [s]
   Mps<dim> mps_;
   LostWater<dim> lost_water_;
   Probes<dim> probes_;

@@ -135,7 +135,7 @@ class Mps {
   static constexpr double answers_to_walls = 15;  // eq. (6c): k_u over V / l0
 
   Water<dim> water_;
-  ReferenceValues reference_;  // for the small radius
+  ReferenceValues reference_;  // values for the radius re_gradient
   Walls<dim> walls_;
   Bodies<dim> bodies_;
   CoveredFaces<dim> covered_faces_;
@@ -152,7 +152,7 @@ class Mps {
   double speed_bound_ = 0;        // [m/s]
   double max_body_speed_ = 0;
   double driven_speed_ = 0;  // V of eq. (6c): speed of obstacles and bodies towards the water [m/s]
-  double frequency_ = 0;     // of the structure's oscillation [rad/s]
+  double frequency_ = 0;     // omega of eq. (6d), of the structure's oscillation [rad/s]
   int first_body_id_ = 0;
   Faces<dim> faces_;                      // deformed faces of the bodies, by point
   std::vector<Vec<dim>> face_load_;       // load in addition to -P A on the bodies' points [N]
@@ -160,7 +160,7 @@ class Mps {
   std::vector<int> seen_;                 // index of the point whose velocity a body point has for the water
   std::vector<Cover> covers_;             // covered walls, by place
   std::vector<Vec<dim>> areas_;           // A by place, for the pressure equation
-  std::vector<double> smooth_density_;    // with the small radius and an open surface, by place [-]
+  std::vector<double> smooth_density_;    // s' of eq. (2c), by place [-]; empty without an open surface
   std::vector<Vec<dim>> change_;          // velocity change since the prediction, by place
   std::vector<Vec<dim>> push_;            // velocity change by the pressure, by place
   std::vector<double> source_;            // source of the pressure equation, by place

@@ -56,7 +56,7 @@ class Neighbors {
   CellGrid<dim> grid_;
   Rows rows_;
   Unfilled<std::int32_t> index_;
-  Unfilled<double> distance_, weight_;  // in two dimensions
+  Unfilled<double> distance_, weight_;  // r and w of every pair, in two dimensions only
 };
 
 }  // namespace cosurge::fluid

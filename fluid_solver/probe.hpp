@@ -10,10 +10,10 @@
 namespace cosurge::fluid {
 
 enum class Quantity {
-  pressure,  ///< in the water, or on a body, obstacle or wall
+  pressure,  ///< pressure in the water, or on a body, obstacle or wall
   level,     ///< height of the free surface on the vertical line through the point
-  force,     ///< of the water on the body, obstacle or side of the tank
-  moment,    ///< of the same load about the point
+  force,     ///< force of the water on the body, obstacle or side of the tank
+  moment,    ///< moment of the same load about the point
 };
 
 /// A probe of the case, except displacement probes, which the solid solver reads.
@@ -21,7 +21,7 @@ template <int dim>
 struct Probe {
   std::string name;
   Quantity quantity;
-  Vec<dim> position;  ///< at the start [m]
+  Vec<dim> position;  ///< initial position [m]
   ProbeMount mount;   ///< what it moves with
   std::vector<std::string> columns;
 };

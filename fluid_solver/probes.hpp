@@ -15,8 +15,8 @@ namespace cosurge::fluid {
 
 /// Data of the last window for the probes.
 struct ProbeInput {
-  const InterfaceMotion& motion;  ///< of the bodies
-  const InterfaceLoad& load;      ///< on them
+  const InterfaceMotion& motion;  ///< motion of the bodies
+  const InterfaceLoad& load;      ///< load on the bodies
   double end;                     ///< time [s]
 };
 
@@ -49,8 +49,8 @@ class Probes {
   std::vector<std::function<void(const ProbeInput&, std::vector<double>&)>> readers_;
   bool has_levels_ = false;
   bool has_wall_loads_ = false;
-  WaterParts parts_;                 // for levels, found in every window
-  std::vector<std::int32_t> place_;  // for loads on walls: places of particles by id, in every window
+  WaterParts parts_;                 // connected parts of the water, found in every window for level probes
+  std::vector<std::int32_t> place_;  // places of the particles by id, found in every window for wall loads
 };
 
 }  // namespace cosurge::fluid

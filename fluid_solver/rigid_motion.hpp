@@ -32,7 +32,7 @@ RigidMotion<dim> rigid_motion(const std::vector<Vec<dim>>& x, const std::vector<
   Eigen::Matrix<double, spins, 1> side = Eigen::Matrix<double, spins, 1>::Zero();
   for (std::size_t k = 0; k < x.size(); ++k) {
     const Vec<dim> arm = x[k] - motion.centre;
-    Eigen::Matrix<double, dim, spins> turning = Eigen::Matrix<double, dim, spins>::Zero();  // of unit spins
+    Eigen::Matrix<double, dim, spins> turning = Eigen::Matrix<double, dim, spins>::Zero();  // by unit spins
     int spin = 0;
     for (int a = 0; a < dim; ++a)
       for (int b = a + 1; b < dim; ++b, ++spin) {

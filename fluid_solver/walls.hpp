@@ -13,7 +13,7 @@ namespace cosurge::fluid {
 template <int dim>
 struct WallParticle {
   std::int32_t id;
-  Vec<dim> place;  ///< at the start [m]
+  Vec<dim> place;  ///< initial position [m]
 };
 
 /// The walls of a scene. Its parts are numbered, 0 for the tank and then the obstacles; each part moves as

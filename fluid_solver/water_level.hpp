@@ -18,7 +18,7 @@ WaterParts connected_water(const Mps<dim>& mps, double spacing);
 /// A line through the water.
 template <int dim>
 struct GaugeLine {
-  Vec<dim> foot;  ///< where it begins [m]
+  Vec<dim> foot;  ///< its lower end [m]
   Vec<dim> up;    ///< unit vector
 };
 

@@ -43,7 +43,7 @@ class CarriedModel : public WrappedModel {
   NodeLayout layout_;
   std::vector<Motion<dim>> motion_;  // motion of each body's holder
   Vec<dim> gravity_ = Vec<dim>::Zero();
-  double time_ = 0;  // at the end of the last window [s]
+  double time_ = 0;  // end of the last window [s]
   Field ramp_increment_;
 };
 

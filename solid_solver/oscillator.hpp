@@ -28,7 +28,7 @@ class OscillatorStep {
   void advance(OscillatorState& state, double first, double last) const;
 
  private:
-  Eigen::Matrix<double, 3, 4> step_;  // from position, velocity, first, last to the next state
+  Eigen::Matrix<double, 3, 4> step_;  // matrix from (position, velocity, first, last) to the next state
 };
 
 }  // namespace cosurge

@@ -49,7 +49,7 @@ class PointModes {
   Interface interface_;
   int count_;
   bool of_model_;                    // whether the model knows its modes
-  std::vector<Turning> turnings_;    // of each body
+  std::vector<Turning> turnings_;    // rotation of the modes of each body
   std::vector<PointMode> elements_;  // modes of finite elements, if it does not
 };
 

@@ -50,7 +50,7 @@ class SolidParticipant : public Solid {
   int dimension_ = 0;
   double dry_window_ = std::numeric_limits<double>::infinity();  // longest window without load [s]
   double wet_window_ = std::numeric_limits<double>::infinity();  // longest window under load [s]
-  double frequency_ = 0;  // of the slowest oscillation of the structure [rad/s]
+  double frequency_ = 0;  // slowest oscillation of the structure [rad/s]
   Exchange exchange_ = {.ramped = false, .end_velocity = false, .modes = 0};
   Interpolation H_;
   Probes probes_;

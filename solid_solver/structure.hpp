@@ -95,7 +95,7 @@ struct Structure {
   double spacing;  ///< spacing of particles, and of the points of frames [m]
   double element;  ///< longest side of a finite element [m]; 0: fem::chosen_grid chooses it
   Elasticity material;
-  double damping_ratio;  ///< in the first mode of each body
+  double damping_ratio;  ///< damping ratio of the first mode of each body
   Vec<dim> gravity;      ///< [m/s2]
   std::vector<Body<dim>> bodies;
 

@@ -15,7 +15,7 @@ constexpr double small = 0.05;       // deflection over the longest side (docs/m
 constexpr double across = 4;         // points across a body
 constexpr double water_layers = 10;  // layers of water
 constexpr double rounding = 1e-6;
-constexpr double step_fraction = 0.7;  // of the stable sub-step
+constexpr double step_fraction = 0.7;  // step of explicit particles, over the stable one
 
 const char* no_modulus = "needs solid.young_modulus";
 const char* no_deflection =

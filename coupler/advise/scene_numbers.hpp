@@ -38,7 +38,7 @@ struct SceneNumbers {
   std::optional<double> cauchy;    ///< rho V^2 / E; nothing without a modulus
   double response = 0;             ///< 1 / k, response time of the pressure, see `gain` [s]
   std::vector<BodyNumbers> bodies;
-  double dry_frequency = 0;  ///< in vacuum [Hz]; 0: nothing oscillates
+  double dry_frequency = 0;  ///< highest frequency in vacuum [Hz]; 0: nothing oscillates
 
   /// In water, of a single body [Hz]:
   ///   plate, beam, body on one spring   dry frequency / sqrt(1 + mu): the water has the body's shape of

@@ -86,7 +86,7 @@ std::optional<double> deflection(const v1::Case& the_case, const v1::Body& body)
   constexpr int pieces = 1000;
   double sum = 0;
   for (int k = 0; k < pieces; ++k) {
-    const double along = (k + 0.5) / pieces * length;  // from the lower end
+    const double along = (k + 0.5) / pieces * length;  // distance from the lower end [m]
     const double height = hold.length == dim - 1 ? box.min[dim - 1] + along : box.max[dim - 1];
     double s = hold.at_upper ? length - along : along;
     double influence = s * s * (3 * length - s) / 6;

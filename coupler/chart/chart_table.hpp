@@ -22,7 +22,7 @@ struct ChartValue {
 
 /// One setting of the plan.
 struct ChartRow {
-  std::vector<std::string> values;    ///< of the keys
+  std::vector<std::string> values;    ///< values of the keys
   std::vector<std::string> settings;  ///< "key=value"
   std::string state;        ///< "finished", "failed" or "truth": the run that the others are compared with
   double core_seconds = 0;  ///< mean over the starts
@@ -35,8 +35,8 @@ struct ChartTable {
   std::string note;  ///< the command
   std::vector<std::string> keys;
   std::vector<std::string> quantities;
-  std::vector<std::string> units;   ///< of each
-  std::vector<std::string> truths;  ///< of each, in words
+  std::vector<std::string> units;   ///< unit of each quantity
+  std::vector<std::string> truths;  ///< truth of each quantity, in words
   int starts = 1;
   std::vector<ChartRow> rows;
 };

@@ -19,8 +19,8 @@ struct Truth {
 
 /// The parsed arguments of --truth.
 struct Truths {
-  std::vector<Truth> of_quantity;     ///< in the order of the quantities
-  std::vector<std::string> settings;  ///< "key=value" of the run that is true; empty: the dearest run
+  std::vector<Truth> of_quantity;     ///< truth of each quantity, in their order
+  std::vector<std::string> settings;  ///< "key=value" of the true run; empty: the most expensive run
 
   /// Whether some quantity is compared with a run.
   bool needs_run() const;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int width = 1100, least_width = 720;
 constexpr double left = 62, right = 24, title_height = 52, between = 78, below_axes = 48, legend_height = 60;
-constexpr double highest = 620, lowest = 170;  // of a panel
+constexpr double highest = 620, lowest = 170;  // limits of the height of a panel [pixels]
 constexpr double small = 0.4;  // size of the bodies over that of the scene, below which they get a panel
 constexpr double flat = 0.45;  // height over width, below which panels stand one above the other
 const Color ink = hex(0x111827), water_color = hex(0x8fc1ea), body_color = hex(0xf0a35e);

@@ -14,7 +14,7 @@ struct Ball {
   Color color;
 };
 
-constexpr double overlap = 1.25;  // of balls, so that a surface of them is closed
+constexpr double overlap = 1.25;  // size of the balls over the spacing, so that their surface has no gaps
 constexpr double farthest_light = 0.72;
 
 void draw_squares(Canvas& canvas, const std::vector<Ball>& balls) {

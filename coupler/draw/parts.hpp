@@ -17,7 +17,7 @@ struct Part {
 
 /// How parts of a kind are drawn.
 struct PartStyle {
-  std::string name;  ///< in the legend
+  std::string name;  ///< name in the legend
   Stroke stroke;
   bool hatched = false;
 };

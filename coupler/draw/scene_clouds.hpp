@@ -12,8 +12,8 @@ enum class Kind { water = 0, wall = 1, dummy = 2 };
 /// The shown particles of one solver at one frame; of the fluid water, walls and dummies.
 struct ShownFrame {
   std::vector<float> positions;
-  std::vector<Kind> kinds;    ///< of the structure all are `water`
-  std::vector<float> values;  ///< of the quantity, where one was asked for
+  std::vector<Kind> kinds;    ///< kind of each particle; those of the structure are all `water`
+  std::vector<float> values;  ///< value of the quantity for each particle, if one was requested
 };
 
 /// Reads a frame of the particles of `cast`, without those that are lost. `quantity`: the name of an array,

@@ -9,7 +9,7 @@
 namespace cosurge {
 namespace {
 
-constexpr double least_ratio = 0.1;  // of the added mass that is shown
+constexpr double least_ratio = 0.1;  // least added-mass ratio that is shown
 
 /// A part of the line; the one of the lowest rank is left out last.
 struct Part {

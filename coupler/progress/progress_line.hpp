@@ -10,15 +10,15 @@ namespace cosurge {
 /// How far a run is, and the values that are shown while it goes.
 struct ProgressState {
   double time = 0;                ///< reached [s]
-  double end = 0;                 ///< of the case [s]
+  double end = 0;                 ///< end of the case [s]
   std::uint64_t window = 0;       ///< number of windows so far
-  double window_size = 0;         ///< of the last window [s]
+  double window_size = 0;         ///< size of the last window [s]
   double seconds = 0;             ///< since the start or the resumption [s]
   double seconds_per_window = 0;  ///< mean over the windows since the last state [s]
   double seconds_left = 0;        ///< expected [s]
   std::string probe;              ///< "tip 12.3 mm": the first probe of the case; empty: it has none
-  double max_speed = 0;           ///< of the water [m/s]; NaN without water
-  double iterations = 1;          ///< of the last window
+  double max_speed = 0;           ///< largest speed of the water [m/s]; NaN without water
+  double iterations = 1;          ///< iterations in the last window
   double unconverged = 0;         ///< windows so far that did not converge
   double added_mass_ratio = 0;    ///< estimate [-]
 };

@@ -12,7 +12,7 @@ namespace cosurge {
 
 /// The value of one column of a probe.
 struct ProbeValue {
-  std::string name;  ///< of its column in the results: "solid/tip_x"
+  std::string name;  ///< name of its column in the results: "solid/tip_x"
   std::string unit;
   double value;
 };
@@ -54,7 +54,7 @@ class ProgressMeter {
   std::string main_probe(const Reports& reports) const;
 
   double end_;
-  std::vector<Column> columns_;  // of the coupler's own values
+  std::vector<Column> columns_;  // columns of the coupler's own values
   std::vector<ProbePlace> probes_;
   std::optional<Place> speed_;
   Clock::time_point start_ = Clock::now();

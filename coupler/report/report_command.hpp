@@ -11,7 +11,7 @@ struct ReportOptions {
   std::vector<std::string> results;  ///< folders of results, or their results.h5
   std::string out;                   ///< the page; empty: report.html in the first folder
   std::string case_folder;  ///< folder with reference/*.csv; empty: the folders that the results name
-  double megabytes = 5;     ///< that the page may take, about
+  double megabytes = 5;     ///< approximate size of the page [MB]
   std::string video;        ///< an MP4 in place of the page; empty: none
 };
 

@@ -12,7 +12,7 @@ namespace cosurge {
 /// Options of the data of a page.
 struct DocumentOptions {
   std::filesystem::path case_folder;  ///< folder of reference curves; empty: as the results say
-  double megabytes = 4;               ///< that frames of one run may take, about
+  double megabytes = 4;               ///< approximate size of the frames of one run [MB]
 };
 
 /// A run as the page shows it, read anew at each call: also during a run.

@@ -10,7 +10,7 @@ namespace cosurge {
 struct WatchOptions {
   std::vector<std::string> results;  ///< folders of results, or their results.h5
   int port = 0;                      ///< 0: any that is free
-  double megabytes = 20;             ///< that a page may take, about
+  double megabytes = 20;             ///< approximate size of a page [MB]
 };
 
 /// Serves the page of `cosurge report` to this machine only, with what is new in the results, until a signal

@@ -31,8 +31,9 @@ class Auto : public Scheme {
   void restore(InterfaceReader& state) override;
 
   static constexpr int probe_interval = 10;  ///< windows
-  static constexpr int quiet_windows = 300;  ///< with a small gain, before it is `weak` again
-  static constexpr int loud_windows = 30;    ///< with an alternation, before `weak_inertial` is `strong`
+  static constexpr int quiet_windows = 300;  ///< windows with a small gain, after which it is `weak` again
+  static constexpr int loud_windows =
+      30;  ///< windows with an alternation, after which `weak_inertial` becomes `strong`
 
  private:
   enum Choice : int { weak, weak_inertial, strong };

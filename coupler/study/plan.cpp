@@ -15,7 +15,7 @@
 namespace cosurge {
 namespace {
 
-constexpr double perturbation = 1e-6;  // of gravity: far below the error of any run
+constexpr double perturbation = 1e-6;  // relative change of gravity, far below the error of any run
 
 /// A cell of a spreadsheet without the quotes around it and the blanks.
 std::string plain_cell(std::string cell) {

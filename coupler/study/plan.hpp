@@ -23,7 +23,7 @@ struct StudyOptions {
 
 /// One run: its settings in the plan, and the case with them.
 struct PlannedRun {
-  std::vector<std::string> values;     ///< of the plan's keys; empty text: the case's own value
+  std::vector<std::string> values;     ///< values of the plan's keys; empty text: the case's own value
   std::vector<std::string> settings;   ///< "key=value" of these
   std::vector<std::string> overrides;  ///< everything that is set, also for the perturbed start
   int start = 0;                       ///< 0: the case's own; else number of the perturbed start
@@ -32,7 +32,7 @@ struct PlannedRun {
 
 /// All runs of a study.
 struct StudyPlan {
-  std::vector<std::string> keys;  ///< of the plan: columns of the table
+  std::vector<std::string> keys;  ///< keys of the plan, the first columns of the table
   int starts = 1;                 ///< runs of the same settings, one after the other
   std::vector<PlannedRun> runs;
 };

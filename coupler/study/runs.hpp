@@ -14,7 +14,7 @@ struct FinishedRun {
   bool finished = false;         ///< it reached the end of its case
   double core_seconds = 0;       ///< user time of its processes: coupler and solvers
   std::string reason;            ///< why it did not finish
-  std::filesystem::path folder;  ///< of its results
+  std::filesystem::path folder;  ///< folder of its results
 };
 
 /// The runs of a study in its folder: runs/NAME are the results of one, runs/NAME.row its cost, runs/NAME.log

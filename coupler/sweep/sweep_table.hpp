@@ -8,7 +8,7 @@ namespace cosurge {
 
 /// One run.
 struct SweepRow {
-  std::vector<std::string> values;  ///< of the keys; empty text: the case's own value
+  std::vector<std::string> values;  ///< values of the keys; empty text: the case's own value
   bool finished = false;
   double core_seconds = 0;
   std::vector<double> quantities;  ///< NaN where it did not finish
@@ -19,7 +19,7 @@ struct SweepRow {
 struct SweepTable {
   std::string note;  ///< the command
   std::vector<std::string> keys;
-  std::vector<std::string> quantities;  ///< with their units: "peak(tip.x) [m]"
+  std::vector<std::string> quantities;  ///< quantities with their units: "peak(tip.x) [m]"
   std::vector<SweepRow> rows;
 };
 

@@ -205,7 +205,7 @@ class Film::Scene {
   std::vector<double> times_;
   SceneChoice choice_;
   std::vector<Part> parts_;
-  std::vector<Shade> shades_;  // of each cast
+  std::vector<Shade> shades_;  // colouring of each cast
   std::optional<View> view_;
   std::optional<HistoryStrip> strip_;
   int height_ = 0;

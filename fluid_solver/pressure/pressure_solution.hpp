@@ -10,7 +10,7 @@ struct PressureSolution {
     jacobi,
   };
   Preconditioner preconditioner;
-  double tolerance;    ///< of the relative residual
+  double tolerance;    ///< tolerance of the relative residual
   int max_iterations;  ///< the run fails after more iterations
 };
 

@@ -48,13 +48,13 @@ class ContactModel : public WrappedModel {
   int step(const Window& part, const NodalLoad& load, double before, double share);
 
   Neighborhood<dim> neighborhood_;
-  Interpolation H_;                   // for the boundaries' vertices; rows of held vertices are empty
+  Interpolation H_;                   // H of the boundaries' vertices; matrix rows of held vertices are empty
   std::vector<Motion<dim>> carrier_;  // motion of each body's carrier
   double step_;                       // longest sub-step while bodies touch [s]
   std::vector<double> stiffness_;     // stiffness of each body over its area [N/m^dim]; empty: unknown
 
   bool touching_ = false;                // whether the last window was computed in sub-steps
-  Field ramp_increment_;                 // of the last window, if it was computed in sub-steps
+  Field ramp_increment_;                 // z of the last window, if it was computed in sub-steps
   double energy_ = 0;                    // energy of the springs [J]
   double work_ = 0;                      // work of the springs on the bodies [J]
   double pressed_ = 0;                   // number of vertices in contact

@@ -41,7 +41,7 @@ class IqnIls : public Relaxation {
   std::deque<Change> changes_;                   // newest first
   std::deque<int> counts_ = {0};                 // number of changes in each window, newest first
   int growths_ = 0;                              // how often the residual has grown in this window
-  Eigen::VectorXd last_residual_, last_output_;  // in the last iteration of this window
+  Eigen::VectorXd last_residual_, last_output_;  // residual and output of the last iteration of this window
 };
 
 }  // namespace cosurge

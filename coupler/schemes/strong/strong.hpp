@@ -48,7 +48,7 @@ class Strong : public Scheme {
   int iterations_;
   Participants participants_;
   bool inertial_;
-  std::vector<Mode> modes_;  // in this window; empty without inertial_
+  std::vector<Mode> modes_;  // modes of the structure in this window; empty without inertial_
   Prediction prediction_;
   std::unique_ptr<Relaxation> relaxation_;
   bool has_modes_ = false;

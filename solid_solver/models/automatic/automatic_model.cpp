@@ -10,7 +10,7 @@
 namespace cosurge::automatic {
 namespace {
 
-constexpr double limit = 0.02;         // of nonlinearity and of truncation
+constexpr double limit = 0.02;         // limit of nonlinearity and of truncation
 constexpr double small = 0.5 * limit;  // both below it: modes are used again
 constexpr double lost = 1e-3;     // largest share of displacement and energy that a return to modes may lose
 constexpr int most_windows = 20;  // largest number of windows between two measurements

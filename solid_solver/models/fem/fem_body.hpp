@@ -97,7 +97,7 @@ class FemBody {
   Elasticity material_;
   bool linear_dilatation_;  // not in plane stress, where the thickness can change
   Mesh<dim> mesh_;
-  std::vector<Quadratures> quadratures_;  // for each element, or one if all are alike
+  std::vector<Quadratures> quadratures_;  // one for each element, or a single one if all are alike
   std::vector<Eigen::Index> component_;   // node * dim + axis of each unknown
   std::vector<Eigen::Index> unknown_;     // unknown of each component, -1 if held
   Matrix mass_;

@@ -12,7 +12,7 @@
 namespace cosurge::fem {
 namespace {
 
-constexpr int sweeps = 30;          // of smoothing; a displacement spreads over about as many cells
+constexpr int sweeps = 30;          // smoothing sweeps; a displacement spreads over about as many cells
 constexpr double most_bent = 0.2;   // largest offset of an edge's middle [edge lengths]
 constexpr double flattest = 0.002;  // least determinant of an element's Jacobian, relative to the even cell's
 constexpr double most_lost = 0.02;  // largest error of the volume [volume]

@@ -59,7 +59,7 @@ class Revolution {
   NodalMode mode(const Mat<dim>& spin, double inertia, double stiffness) const;
 
   double length_;
-  Mat<dim> generator_ = Mat<dim>::Zero();  // of a rotation about one axis: dX/dtheta = generator X
+  Mat<dim> generator_ = Mat<dim>::Zero();  // generator of a rotation about one axis: dX/dtheta = generator X
   std::optional<Turning> single_;
   std::optional<SpaceTurning> space_;
 };

@@ -59,7 +59,7 @@ void SpaceTurning::step(const Moment& moment, double dt) {
   constexpr int most = 100;
   const Mat<3> before = rotation();
   const Mat<3> inverse = inertia.inverse();
-  const Vec<3> spin = inverse * (before.transpose() * momentum);  // in the body
+  const Vec<3> spin = inverse * (before.transpose() * momentum);  // angular velocity in the body's frame
   Vec<3> psi = dt * (before * spin);
   for (int k = 0; k < most; ++k) {
     const Eigen::Quaterniond after = turned_on(attitude, psi);

@@ -75,7 +75,7 @@ TEST(IqnIls, ConvergesWhereSuctionIsCutOffAtOtherPointsInEveryIteration) {
   Eigen::MatrixXd M(unknowns, unknowns);
   for (int i = 0; i < unknowns; ++i)
     for (int j = 0; j < unknowns; ++j) M(i, j) = std::exp(-2.5 * std::abs(i - j) / unknowns);
-  M *= 7.5 / M.rowwise().sum().maxCoeff();  // which no eigenvalue exceeds
+  M *= 7.5 / M.rowwise().sum().maxCoeff();  // largest row sum 7.5, an upper bound of the eigenvalues
   int converged = 0;
   constexpr int windows = 200;
   for (int window = 0; window < windows; ++window) {

@@ -47,7 +47,7 @@ TEST(WeakInertial, WithoutModesIsAsUnstableAsWeakAfterAPrediction) {
   silent.stiffness = 0;
   PistonRun run(silent, words());
   run.run(200);
-  EXPECT_GT(std::abs(run.history.pressure.back()), 1e6);  // at rest: 5 kPa
+  EXPECT_GT(std::abs(run.history.pressure.back()), 1e6);  // 5 kPa at rest
 }
 
 }  // namespace

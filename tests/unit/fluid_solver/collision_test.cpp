@@ -67,7 +67,7 @@ TEST(Collision, WaterThatReachesAFaceLosesItsSpeedAcrossItOnceAndSlidesFreely) {
   EXPECT_NEAR(after[0], law.restitution * 1, 1e-15);
   EXPECT_EQ(after[1], 7);
   EXPECT_EQ(change(beside_face(0.01, {-1, 7}), 0), (Vec<2>(0, 0)));  // not there yet
-  EXPECT_EQ(change(beside_face(-0.01, {1, 7}), 0), (Vec<2>(0, 0)));  // on its way out
+  EXPECT_EQ(change(beside_face(-0.01, {1, 7}), 0), (Vec<2>(0, 0)));  // moves away from the face
 }
 
 TEST(Collision, WaterOnTopOfAnEdgeIsNotHeldByTheFaceAroundIt) {

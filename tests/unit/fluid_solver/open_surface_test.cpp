@@ -66,7 +66,7 @@ std::vector<double> errors_at_rest(const Tank<dim>& tank, double depth) {
 TEST(OpenSurface, WaterAtRestHasItsSurfaceHalfASpacingAboveTheOutermostParticles) {
   for (const double error : errors_at_rest(Tank<2>({.water = 0.16, .open_surface = true}), 0.16))
     EXPECT_LT(std::abs(error), 0.4);  // 0.39 beside the side walls at the surface, 0.2 to 0.3 below
-  EXPECT_GT(errors_at_rest(Tank<2>({}), 0.16).front(), 0.45);  // with flags
+  EXPECT_GT(errors_at_rest(Tank<2>({}), 0.16).front(), 0.45);  // error with flags
 }
 
 TEST(OpenSurface, IsExactInTheTwoOutermostLayers) {

@@ -27,7 +27,8 @@ double beside_floor(Tank<2>& tank, double speed) {
 TEST(Slip, WaterThatRunsAlongAWallHasNoDivergenceHoweverUnevenItLies) {
   Tank<2> tank({.disorder = 0.2, .open_surface = true});
   EXPECT_LT(beside_floor(tank, 10), 1e-6 * 10 / l0);
-  for (auto& normal : tank.cloud.particles.normal) normal.setZero();  // as if walls took the water along
+  for (auto& normal : tank.cloud.particles.normal)
+    normal.setZero();  // without normals: as if walls dragged the water along
   EXPECT_GT(beside_floor(tank, 10), 0.02 * 10 / l0);
 }
 

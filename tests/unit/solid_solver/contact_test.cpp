@@ -159,7 +159,7 @@ TEST_P(Contact, AWedgeThatLandsOnABeachIsPushedAlongItsNormal) {
 
 TEST_P(Contact, AnObstacleThatComesPushesABlockAwayAtTwiceItsSpeed) {
   ContactScene scene(model(), dimension());
-  scene.gravity(1e-9, 0);  // so that gravity_energy tells where the block is
+  scene.gravity(1e-9, 0);  // tiny, so that gravity_energy gives the position of the block
   v1::Obstacle& obstacle = *scene.the_case.mutable_fluid()->add_obstacle();
   *obstacle.mutable_shape() =
       scene.outline({{0.02, 0.06}, {0.08, 0.06}, {0.08, 0.18}, {0.02, 0.18}}, 0.06, 0.18);

@@ -168,7 +168,7 @@ double swing_of_particles(double width, double poisson_ratio, double expected,
   LoadedSolid run(c, points);
   constexpr int per_period = 100;
   const double window = 1 / (expected * per_period);
-  std::vector<double> middles;  // when it goes through rest
+  std::vector<double> middles;  // times of the passages through rest
   double before = 0;
   for (int k = 1; middles.size() < 2; ++k) {
     const double phase = std::min(1.0, static_cast<double>(k) / per_period);
