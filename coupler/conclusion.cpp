@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "coupler/checkpoint.hpp"
+#include "coupler/created_work.hpp"
 #include "coupler/lost_water.hpp"
 #include "coupler/say.hpp"
 
@@ -39,11 +40,12 @@ void remark(const Coupler& coupler, const Recorder& recorder) {
     say("warning: {} of {} windows did not converge in {} iterations (coupling.iteration.limit); the "
         "iteration with the smallest residual was used; lower time.window or raise the limit\n",
         coupler.unconverged(), coupler.windows(), recorder.the_case().coupling().iteration().limit());
-  if (const InterfaceAccount& account = coupler.account();
-      account.created() > InterfaceAccount::much * account.passed())
-    say("warning: unreliable result: the coupling created {:.2g} J of spurious energy ({:.3g} % of the work "
-        "done, limit {:.0f} %); use coupling.scheme = \"strong\" or see docs/stability.md\n",
-        account.created(), 100 * account.created() / account.passed(), 100 * InterfaceAccount::much);
+  const InterfaceAccount& account = coupler.account();
+  if (const std::string energy =
+          created_work_remark(recorder.the_case(), account.created(), account.passed());
+      !energy.empty())
+    say("warning: unreliable result: {}; use coupling.scheme = \"strong\" or see docs/stability.md\n",
+        energy);
   warn_of_deflection(recorder);
 }
 

@@ -17,8 +17,8 @@ std::vector<Command> add_commands(CLI::App& app, const std::string& note) {
   return {cosurge::add_run(app),         cosurge::add_resume(app),      cosurge::add_check(app),
           cosurge::add_advise(app),      cosurge::add_status(app),      cosurge::add_keys(app),
           cosurge::add_selftest(app),    cosurge::add_certify(app),     cosurge::add_map(app, note),
-          cosurge::add_chart(app, note), cosurge::add_sweep(app, note), cosurge::add_csv(app),
-          cosurge::add_report(app),      cosurge::add_watch(app)};
+          cosurge::add_chart(app, note), cosurge::add_sweep(app, note), cosurge::add_converge(app, note),
+          cosurge::add_csv(app),         cosurge::add_report(app),      cosurge::add_watch(app)};
 }
 
 }  // namespace

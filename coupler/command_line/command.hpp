@@ -29,6 +29,7 @@ Command add_advise(CLI::App& app);
 Command add_map(CLI::App& app, const std::string& note);
 Command add_chart(CLI::App& app, const std::string& note);
 Command add_sweep(CLI::App& app, const std::string& note);
+Command add_converge(CLI::App& app, const std::string& note);
 
 Command add_csv(CLI::App& app);
 Command add_report(CLI::App& app);

@@ -3,6 +3,7 @@
 
 #include "coupler/chart/chart_command.hpp"
 #include "coupler/command_line/command.hpp"
+#include "coupler/converge/converge_command.hpp"
 #include "coupler/map_command.hpp"
 #include "coupler/sweep/sweep_command.hpp"
 
@@ -85,6 +86,29 @@ Command add_sweep(CLI::App& app, const std::string& note) {
                     "Keep the results of the runs, which are removed once the table is complete");
   options->note = note;
   return {command, [options] { return sweep_command(*options); }};
+}
+
+Command add_converge(CLI::App& app, const std::string& note) {
+  const auto options = std::make_shared<ConvergeOptions>();
+  CLI::App* command = app.add_subcommand(
+      "converge", "Find the spacing that an accuracy needs or a budget allows, and run the case with it");
+  add_case(*command, options->case_path, options->overrides);
+  command
+      ->add_option("--quantity", options->quantities,
+                   "What must be accurate: peak(H), time_of_peak(H), impulse(H); H is a probe's column (P01, "
+                   "tip.x), a "
+                   "column of the results (fluid/front) or a difference (left-right); with a range of time: "
+                   "peak(tip.x, 0.1..0.4)")
+      ->required()
+      ->take_all();
+  command->add_option("--accuracy", options->accuracy, "Largest relative error: 2% or 0.02");
+  command->add_option("--budget", options->budget, "Largest core time of one run: 90s, 10min, 2h");
+  command
+      ->add_option("--out", options->out,
+                   "Folder of the table and the runs; an interrupted command is continued")
+      ->required();
+  options->note = note;
+  return {command, [options] { return converge_command(*options); }};
 }
 
 }  // namespace cosurge

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "coupler/conclusion.hpp"
-#include "coupler/interface_account.hpp"
+#include "coupler/created_work.hpp"
 #include "coupler/report/run_numbers.hpp"
 
 namespace cosurge {
@@ -62,14 +62,13 @@ void remark_on_water(const RunRecord& run, const v1::Case& the_case, Remarks& re
     remarks.doubt(fmt::format("up to {:.0f} water particles were inside a body", inside));
 }
 
-void remark_on_coupling(const RunRecord& run, Remarks& remarks) {
+void remark_on_coupling(const RunRecord& run, const v1::Case& the_case, Remarks& remarks) {
   if (const double windows = run.last("coupling/unconverged"); windows > 0)
     remarks.doubt(fmt::format("{:.0f} of {} windows did not converge", windows, run.rows()));
-  const double created = run.last("coupling/work_created"), all = passed(run);
-  if (created > InterfaceAccount::much * all)
-    remarks.bad(fmt::format(
-        "the coupling created {:.2g} J of spurious energy ({:.3g} % of the work done, limit {:.0f} %)",
-        created, 100 * created / all, 100 * InterfaceAccount::much));
+  if (const std::string energy =
+          created_work_remark(the_case, run.last("coupling/work_created"), passed(run));
+      !energy.empty())
+    remarks.bad(energy);
   constexpr double small = small_deflection;
   double bent = 0;
   for (const Series& history : run.histories)
@@ -85,7 +84,7 @@ nlohmann::ordered_json verdict(const RunRecord& run, const v1::Case& the_case) {
   Remarks remarks;
   remark_on_end(run, the_case, remarks);
   remark_on_water(run, the_case, remarks);
-  remark_on_coupling(run, remarks);
+  remark_on_coupling(run, the_case, remarks);
   return remarks.verdict("finished; no water lost, no warnings from the coupling or a model");
 }
 

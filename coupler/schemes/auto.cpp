@@ -40,8 +40,9 @@ Reports Auto::advance(const Window& window, InterfaceState& interface, Interface
 /// Finds whether the coupling has created work since the last probe.
 void Auto::watch(const InterfaceAccount& account) {
   const double created = account.created() - created_, passed = account.passed() - passed_;
-  creates_ = marked_ && choice_ == weak_inertial && created > much * passed &&
-             passed > negligible * account.passed();
+  creates_ =
+      marked_ && choice_ != strong && created > much * passed && passed > negligible * account.passed();
+  creating_ = creates_ ? creating_ + probe_interval : 0;
   created_ = account.created();
   passed_ = account.passed();
   marked_ = true;
@@ -58,7 +59,7 @@ void Auto::choose(bool has_modes) {
                           bearable_));
   } else if (choice_ == weak_inertial && alternating_ >= loud_windows) {
     change_to(strong, "the acceleration alternates although the modes' added mass is included");
-  } else if (creates_) {
+  } else if (creates_ && (choice_ == weak_inertial || creating_ >= loud_windows)) {
     change_to(strong,
               fmt::format("the coupling created more than {:.0f} % of the work done since the last check",
                           100 * much));
@@ -70,7 +71,7 @@ void Auto::choose(bool has_modes) {
 void Auto::change_to(Choice choice, const std::string& why) {
   effort_.again = choice > choice_;
   choice_ = choice;
-  quiet_ = alternating_ = 0;
+  quiet_ = alternating_ = creating_ = 0;
   creates_ = marked_ = false;
   if (choice == weak_inertial) weak_inertial_.forget_ratio();
   constexpr std::array<const char*, 3> names = {"weak", "weak_inertial", "strong"};
@@ -79,7 +80,7 @@ void Auto::change_to(Choice choice, const std::string& why) {
 
 void Auto::save(StateWriter& state) const {
   for (const Scheme* scheme : schemes_) scheme->save(state);
-  for (const int number : {choice_, quiet_, alternating_}) state.put(number);
+  for (const int number : {choice_, quiet_, alternating_, creating_}) state.put(number);
   for (const bool flag : {creates_, marked_}) state.put(flag);
   state.put(created_);
   state.put(passed_);
@@ -87,7 +88,7 @@ void Auto::save(StateWriter& state) const {
 
 void Auto::restore(InterfaceReader& state) {
   for (Scheme* scheme : schemes_) scheme->restore(state);
-  for (int* number : {&choice_, &quiet_, &alternating_}) state.get(*number);
+  for (int* number : {&choice_, &quiet_, &alternating_, &creating_}) state.get(*number);
   require(choice_ >= weak && choice_ <= strong,
           "saved state: coupling scheme {}, must be 0 to 2; it is damaged", choice_);
   for (bool* flag : {&creates_, &marked_}) state.get(*flag);

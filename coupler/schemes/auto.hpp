@@ -13,9 +13,9 @@ namespace cosurge {
 /// Starts as `weak`. Every tenth window is computed by `strong`, which measures the velocity-error gain: the
 /// factor by which an error of the velocity is multiplied in a window. If the gain exceeds half of the limit
 /// of `weak`, the run continues as `weak_inertial`; or as `strong` if the solid gives no modes, or if the
-/// acceleration alternates or the coupling creates work although the modes are known. The windows since the
-/// last quiet check are then repeated, so that the results contain no trace of the instability. After many
-/// windows with a small gain the scheme is `weak` again (docs/method.md, section 3).
+/// acceleration alternates. `weak` and `weak_inertial` also become `strong` if the coupling creates work. The
+/// windows since the last quiet check are then repeated, so that the results contain no trace of the
+/// instability. After many windows with a small gain the scheme is `weak` again (docs/method.md, section 3).
 class Auto : public Scheme {
  public:
   Auto(const v1::Coupling& coupling, Participants participants);
@@ -32,8 +32,10 @@ class Auto : public Scheme {
 
   static constexpr int probe_interval = 10;  ///< windows
   static constexpr int quiet_windows = 300;  ///< windows with a small gain, after which it is `weak` again
-  static constexpr int loud_windows =
-      30;  ///< windows with an alternation, after which `weak_inertial` becomes `strong`
+  /// Windows with an alternation after which `weak_inertial` becomes `strong`, and windows with created work
+  /// after which `weak` does. (A structure that starts to move creates work for fewer: the water sees its
+  /// last velocity.)
+  static constexpr int loud_windows = 30;
 
  private:
   enum Choice : int { weak, weak_inertial, strong };
@@ -52,6 +54,7 @@ class Auto : public Scheme {
   int quiet_ = 0;         // windows with a small gain
   int alternating_ = 0;   // windows in which the acceleration has alternated
   bool creates_ = false;  // the coupling created work before the last probe
+  int creating_ = 0;      // windows for which it has done so without a break
   bool marked_ = false;   // whether a probe has set created_ and passed_ since the scheme was chosen
   double created_ = 0;    // work that the coupling had created at the last probe [J]
   double passed_ = 0;     // absolute work through the interface at the last probe [J]
