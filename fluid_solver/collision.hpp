@@ -26,16 +26,20 @@ bool at_face(const Vec<dim>& way, const Vec<dim>& n, double spacing) {
 /// takes the share m_j / (m_i + m_j) of (1 + restitution) times the approach speed, along the line between
 /// them; walls and bodies are taken as infinitely heavy. Momentum between fluid particles is conserved.
 /// Where a wall or body has a normal, water meets its face and not its particles, eq. (7a): what reaches the
-/// face loses its speed across it, and slides along it freely.
-template <int dim>
+/// face loses its speed across it, and slides along it freely. Calls `at(j, change)` with the part of the
+/// change [m/s] that the face of each particle j of a wall or body causes.
+template <int dim, typename AtFace>
 Vec<dim> collision(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i,
-                   const CollisionLaw& law) {
+                   const CollisionLaw& law, AtFace&& at) {
   Vec<dim> change = Vec<dim>::Zero();
   neighbors.each_weighted(particles, i, [&](int j, const Vec<dim>& x_ij, double r, double) {
     const Vec<dim>& n = particles.normal[j];
     if (!n.isZero()) {  // a face has many particles: the velocity change by the others already counts
       const double approach = (particles.u[j] - particles.u[i] - change).dot(n);
-      if (approach > 0 && at_face(x_ij, n, law.spacing)) change += (1 + law.restitution) * approach * n;
+      if (approach <= 0 || !at_face(x_ij, n, law.spacing)) return;
+      const Vec<dim> by_face = (1 + law.restitution) * approach * n;
+      change += by_face;
+      at(j, by_face);
       return;
     }
     if (r >= law.distance || r == 0) return;

@@ -56,7 +56,6 @@ std::vector<Openness<dim>> CoveredFaces<dim>::find(const Bodies<dim>& bodies, co
       }
     });
     if (!narrow) film_[k] = water ? 1 : 0;
-    if (film_[k] != 0) open[k] = Openness<dim>();
   }
   return open;
 }

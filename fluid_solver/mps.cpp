@@ -204,15 +204,22 @@ void Mps<dim>::diffuse_and_collide(double dt) {
   const double nu = water_.kinematic_viscosity;
   const SurfaceDamping damping = surface_damping(reference_.n0, propagation_speed_, water_.spacing, dt);
   change_.assign(static_cast<std::size_t>(particles_.size()), Vec<dim>::Zero());
+  direct_force_.clear(particles_.size());
 #pragma omp parallel for schedule(dynamic, Rows::chunk)
   for (int i = 0; i < particles_.size(); ++i) {
     if (particles_.kind[i] != Kind::fluid) continue;
-    change_[i] = collision(particles_, neighbors_, i, law);
+    change_[i] = collision(particles_, neighbors_, i, law,
+                           [&](int, const Vec<dim>&) { direct_force_.note_struck(i); });
     if (open_surface()) change_[i] += damp_surface(particles_, neighbors_, i, reference_.n0, damping);
     if (nu > 0)
       change_[i] +=
           dt * nu * velocity_laplacian(particles_, neighbors_, i, reference_.n0, reference_.lambda0);
   }
+  const double mass = water_.density * std::pow(water_.spacing, dim);
+  direct_force_.add_collisions(particles_, neighbors_, law, mass, dt);
+  if (nu > 0)
+    direct_force_.add_friction(particles_, neighbors_,
+                               mass * nu * 2 * dim / (reference_.lambda0 * reference_.n0));
   for (int i = 0; i < particles_.size(); ++i) particles_.u[i] += change_[i];
 }
 
@@ -258,6 +265,7 @@ SolveReport Mps<dim>::solve_pressure(double start, double dt, Attempt attempt) {
                       .lowest_pressure = water_.method.lowest_pressure},
                      pressure_);
   take_pressure();
+  film_pressure_.solve(bodies_, body_place_, particles_, slope_to_faces(), water_.spacing);
   add_answer_of_modes();
   return report;
 }

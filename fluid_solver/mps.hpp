@@ -11,6 +11,8 @@
 #include "fluid_solver/covered_faces.hpp"
 #include "fluid_solver/covered_walls.hpp"
 #include "fluid_solver/density.hpp"
+#include "fluid_solver/direct_force.hpp"
+#include "fluid_solver/film_pressure.hpp"
 #include "fluid_solver/pressure/poisson_equation.hpp"
 #include "fluid_solver/pressure/source.hpp"
 #include "fluid_solver/walls.hpp"
@@ -69,6 +71,11 @@ class Mps {
   /// theta of eq. (15) for a particle of a wall or body with the pressure p [Pa]: from 0 at p = 0 to 1 at the
   /// pressure of half a spacing of water.
   double wetness(double p) const;
+
+  /// Friction and collisions of the last step on the particle of a wall or body at `place` [N].
+  Vec<dim> direct_force(int place) const {
+    return direct_force_.known() ? direct_force_.on(place) : Vec<dim>(Vec<dim>::Zero());
+  }
 
   const Walls<dim>& walls() const { return walls_; }
   const Bodies<dim>& bodies() const { return bodies_; }
@@ -139,6 +146,8 @@ class Mps {
   Walls<dim> walls_;
   Bodies<dim> bodies_;
   CoveredFaces<dim> covered_faces_;
+  FilmPressure<dim> film_pressure_;
+  DirectForce<dim> direct_force_;
   Particles<dim> particles_;
   int initial_size_ = 0;
   Neighbors<dim> neighbors_;

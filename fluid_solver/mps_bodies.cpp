@@ -42,11 +42,12 @@ void Mps<dim>::load(InterfaceLoad& load) const {
   for (int k = 0; k < bodies_.points(); ++k) {
     if (particles_.kind[body_place_[k]] != Kind::body_surface) {
       load.pressure[k] = 0;
-      load.force.col(k).setZero();
+      load.force.col(k) = film_pressure_.load(k) + direct_force(body_place_[k]);
       continue;
     }
     const double p = particles_.p[body_place_[k]];
-    load.force.col(k) = -p * faces_.area[k] + face_load_[k];
+    load.force.col(k) =
+        -p * faces_.area[k] + face_load_[k] + film_pressure_.load(k) + direct_force(body_place_[k]);
     const double area = faces_.area[k].norm();
     load.pressure[k] = area > 0 ? p - face_load_[k].dot(faces_.normal[k]) / area : p;
   }
@@ -81,8 +82,10 @@ void Mps<dim>::set_face_load() {
 template <int dim>
 void Mps<dim>::close_covered_faces() {
   if (faces_.area.empty()) return;
-  bodies_.set_open(covered_faces_.find(bodies_, faces_, body_place_, particles_, neighbors_, water_.spacing),
-                   faces_);
+  const std::vector<Openness<dim>> open =
+      covered_faces_.find(bodies_, faces_, body_place_, particles_, neighbors_, water_.spacing);
+  film_pressure_.find(bodies_, faces_, open, covered_faces_.film());
+  bodies_.set_open(open, faces_);
   for (int k = 0; k < bodies_.points(); ++k) {
     const int i = body_place_[k];
     areas_[i] = faces_.area[k];

@@ -95,6 +95,8 @@ void Mps<dim>::set_source(double dt) {
   }
   if (bodies_.points() > 0 && open_surface() && rates(dt).bodies > rates(dt).divergence)
     add_source_of_bodies(dt);
+  for (const int i : film_pressure_.particles_in_gap(body_place_, particles_, neighbors_, water_.spacing))
+    source_[static_cast<std::size_t>(i)] = 0;
   poisson_.set_source(source_);
 }
 

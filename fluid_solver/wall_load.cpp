@@ -14,6 +14,17 @@ std::vector<FacePiece<dim>> pieces_of_mount(const Walls<dim>& walls, const Probe
   return pieces_of(walls.tank(), mount.axis, mount.upper, longest);
 }
 
+/// Whether a wall particle at x lies behind the face. Behind an edge of the tank it counts for the side
+/// across the first of its axes, so that all sides together have every particle once.
+template <int dim>
+bool behind(const Walls<dim>& walls, const ProbeMount& mount, const Vec<dim>& x) {
+  if (mount.on == ProbeMount::On::obstacle) return true;
+  const Box<dim>& tank = walls.tank();
+  for (int axis = 0; axis < mount.axis; ++axis)
+    if (x[axis] < tank.min[axis] || x[axis] > tank.max[axis]) return false;
+  return mount.upper ? x[mount.axis] > tank.max[mount.axis] : x[mount.axis] < tank.min[mount.axis];
+}
+
 }  // namespace
 
 template <int dim>
@@ -22,6 +33,8 @@ WallLoad<dim>::WallLoad(const Mps<dim>& mps, const ProbeMount& mount, const Vec<
       about_(about),
       spacing_(mps.spacing()) {
   const std::vector<WallParticle<dim>> sites = mps.walls().sites(part_);
+  for (const WallParticle<dim>& site : sites)
+    if (behind(mps.walls(), mount, site.place)) ids_.push_back(site.id);
   PointHash<dim> around(spacing_);
   for (const WallParticle<dim>& site : sites) around.add(site.place);
   for (const FacePiece<dim>& face : pieces_of_mount(mps.walls(), mount, 0.5 * spacing_)) {
@@ -76,6 +89,11 @@ Load<dim> WallLoad<dim>::read(const Mps<dim>& mps, const std::vector<std::int32_
     const Vec<dim> area = turned * piece.area;
     if (const double p = pressure(mps, place, piece, x); p != 0 && !dry(mps, x, area.normalized(), t))
       load.add(x - about, -p * area);
+  }
+  for (const std::int32_t id : ids_) {
+    const std::int32_t i = place[static_cast<std::size_t>(id)];
+    if (const Vec<dim> force = mps.direct_force(i); !force.isZero())
+      load.add(mps.particles().x[i] - about, force);
   }
   return load;
 }

@@ -11,8 +11,8 @@
 namespace cosurge::fluid {
 
 /// Sums the pressure over the face, in pieces of half a spacing. The pressure on a piece is interpolated from
-/// the wall particles behind it and extrapolated to the face as in eq. (15). Pieces inside another wall, or
-/// touched by a body, count as dry.
+/// the wall particles behind it and extrapolated to the face as in eq. (15). Friction and collisions are
+/// added. Pieces inside another wall, or touched by a body, count as dry.
 template <int dim>
 class WallLoad {
  public:
@@ -36,6 +36,7 @@ class WallLoad {
   Vec<dim> about_;
   double spacing_;
   std::vector<Piece> pieces_;
+  std::vector<std::int32_t> ids_;  // of the wall particles behind the whole face
 };
 
 }  // namespace cosurge::fluid

@@ -22,7 +22,7 @@ test::Cloud<2> pair(const Vec<2>& x, Kind kind, const Vec<2>& u0, const Vec<2>& 
 Vec<2> change(const test::Cloud<2>& cloud, int id) {
   const auto& ids = cloud.particles.id;
   const auto place = static_cast<int>(std::find(ids.begin(), ids.end(), id) - ids.begin());
-  return collision(cloud.particles, cloud.neighbors, place, law);
+  return collision(cloud.particles, cloud.neighbors, place, law, [](int, const Vec<2>&) {});
 }
 
 TEST(Collision, APairKeepsItsMomentumAndReversesAFifthOfItsApproach) {

@@ -137,7 +137,7 @@ TEST(WallLoad, OfASideOfTheTankIsThatOfItsDepthAndActsAtAThirdOfIt) {
   const Load<2> on_right = load(tank_with({}), right, {0.6, 0});
   EXPECT_NEAR(on_left.force[0], -thrust, 0.01 * thrust);
   EXPECT_NEAR(on_right.force[0], thrust, 0.01 * thrust);
-  EXPECT_EQ(on_left.force[1], 0);
+  EXPECT_NEAR(on_left.force[1], 0, 1e-3);  // friction: less than rho nu V L / l0
   EXPECT_NEAR(on_left.moment[2], thrust * 0.2 / 3, 0.02 * thrust * 0.2 / 3);
   EXPECT_NEAR(on_right.moment[2], -thrust * 0.2 / 3, 0.02 * thrust * 0.2 / 3);
 }

@@ -1,0 +1,39 @@
+// Force of the water on walls and bodies besides its pressure: friction, and collisions with faces.
+#pragma once
+
+#include <vector>
+
+#include "fluid_solver/collision.hpp"
+#include "fluid_solver/neighbors.hpp"
+
+namespace cosurge::fluid {
+
+/// Reaction to eqs. (7a) and (8): what these terms take from the momentum of the water, walls and bodies get.
+template <int dim>
+class DirectForce {
+ public:
+  /// Forgets the last step. `particles`: their number.
+  void clear(int particles);
+
+  /// Notes that faces stop or push water particle i in this step; may be called by several threads, once for each i.
+  void note_struck(int i) { struck_[static_cast<std::size_t>(i)] = 1; }
+
+  /// Adds the collisions of the noted particles. `mass`: of a particle [kg], `dt`: of the step [s].
+  void add_collisions(const Particles<dim>& particles, const Neighbors<dim>& neighbors, const CollisionLaw& law,
+                      double mass, double dt);
+
+  /// Adds the friction of eq. (8). `factor`: mass of a particle times 2 d nu / (lambda0 n0) [kg/s].
+  void add_friction(const Particles<dim>& particles, const Neighbors<dim>& neighbors, double factor);
+
+  /// On the particle of a wall or body at this place [N].
+  const Vec<dim>& on(int place) const { return force_[static_cast<std::size_t>(place)]; }
+
+  /// Whether a step has been computed since the start or since a state was restored.
+  bool known() const { return !force_.empty(); }
+
+ private:
+  std::vector<Vec<dim>> force_;
+  std::vector<char> struck_;
+};
+
+}  // namespace cosurge::fluid
