@@ -3,14 +3,17 @@
 #include <cmath>
 
 #include "common/error.hpp"
+#include "common/water_step.hpp"
 #include "fluid_solver/mps.hpp"
 
 namespace cosurge::fluid {
 namespace {
 
 constexpr int loose = 3;  // neighbours up to which a particle flies freely and no longer limits the step
-constexpr double free_flight =
-    0.5;  // largest flight of such a particle in a step [l0], so that it cannot pass through a wall
+
+/// Largest flight of such a particle in a step [l0]. It has no more than a few particles of a wall within two
+/// spacings, so it meets a wall in a later step, as water with more neighbours.
+constexpr double free_flight = 1;
 
 }  // namespace
 
@@ -57,18 +60,13 @@ StepReport Mps<dim>::survey(double end, double dt) {
 /// walls and bodies that are driven into the water at speeds up to `driven` [m/s].
 template <int dim>
 double Mps<dim>::longest_step(double speed, double driven) const {
-  const double spacing = water_.spacing;
-  const double gravity = std::sqrt(spacing / std::max(water_.gravity.norm(), 1e-12));
-  const double viscous = 0.2 * spacing * spacing / std::max(water_.kinematic_viscosity, 1e-12);
   const double courant =
       answers_to_walls * driven > propagation_speed_ ? water_.method.courant_driven : water_.method.courant;
-  const double advective = courant * spacing / std::max(speed, 1e-12);
-  const double longest = std::min({advective, viscous, courant * gravity});
-  if (!open_surface()) return longest;
-  // The density is corrected at the rate c / l0. Water at rest becomes unstable if a window corrects all of
-  // it.
-  constexpr double share = 0.5;
-  return std::min(longest, share * spacing / propagation_speed_);
+  return cosurge::longest_step({.spacing = water_.spacing,
+                                .gravity = water_.gravity.norm(),
+                                .viscosity = water_.kinematic_viscosity,
+                                .propagation_speed = open_surface() ? propagation_speed_ : 0},
+                               courant, speed);
 }
 
 template <int dim>

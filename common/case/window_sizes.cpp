@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/case/water_depth.hpp"
+#include "common/water_step.hpp"
 
 namespace cosurge {
 
@@ -14,19 +15,24 @@ double longest_window(const v1::Case& the_case) {
 
 double courant_number(const v1::Fluid& fluid, bool driven) {
   if (fluid.has_courant()) return fluid.courant();
-  return fluid.source() == v1::Fluid::time_scale && !driven ? 0.4 : 0.2;
+  return fluid.source() == v1::Fluid::time_scale && !driven ? 0.6 : 0.2;
 }
 
 double expected_window(const v1::Case& the_case) {
   const double longest = longest_window(the_case);
   const v1::Fluid& fluid = the_case.fluid();
   if (fluid.water().empty() || the_case.time().stepping() == v1::Time::fixed) return longest;
-  const int up = the_case.dimension() - 1;
-  const double head = std::max(0.0, highest_water(the_case) - fluid.tank().min(up));
-  const double gravity = std::abs(the_case.gravity(up));
-  const double speed = 2 * std::sqrt(gravity * head);  // Ritter's bound of a front on a dry bed
-  if (speed == 0) return longest;
-  return std::min(longest, courant_number(fluid, false) * fluid.spacing() / speed);
+  const WaterHeads heads = water_heads(the_case);
+  const double default_speed = std::sqrt(heads.of_water + heads.gravity * fluid.spacing());
+  const WaterStepLimits limits{.spacing = fluid.spacing(),
+                               .gravity = heads.gravity,
+                               .viscosity = fluid.kinematic_viscosity(),
+                               .propagation_speed = fluid.source() != v1::Fluid::time_scale ? 0
+                                                    : fluid.has_propagation_speed()
+                                                        ? fluid.propagation_speed()
+                                                        : default_speed};
+  const double speed = 2 * std::sqrt(heads.above_tank);  // Ritter's bound of a front on a dry bed
+  return std::min(longest, longest_step(limits, courant_number(fluid, false), speed));
 }
 
 }  // namespace cosurge

@@ -149,7 +149,7 @@ TEST(CaseFile, AllErrorsAreReportedAtOnce) {
   const std::string errors = errors_of(text.file(), {"fluid.courant=7", "solid.model=jelly"});
   EXPECT_THAT(errors, HasSubstr("time.end: -1 must be > 0 [s]"));
   EXPECT_THAT(errors, HasSubstr("time.stop: unknown key, allowed: end, window, stepping"));
-  EXPECT_THAT(errors, HasSubstr("fluid.courant: 7 must be <= 0.5"));
+  EXPECT_THAT(errors, HasSubstr("fluid.courant: 7 must be <= 1"));
   EXPECT_THAT(errors, HasSubstr("solid.model: must be one of: mps, rigid"));
   EXPECT_EQ(std::count(errors.begin(), errors.end(), '\n'), 3);
 }

@@ -39,7 +39,7 @@ const SpoiledValue values[] = {
     {"fluid.re_laplacian", "1", "1 must be >= 1.5 [l0]"},
     {"fluid.re_laplacian", "6", "6 must be <= 5 [l0]"},
     {"fluid.courant", "0", "0 must be > 0 [-]"},
-    {"fluid.courant", "0.6", "0.6 must be <= 0.5 [-]"},
+    {"fluid.courant", "1.1", "1.1 must be <= 1 [-]"},
     {"fluid.free_surface.beta", "0", "0 must be > 0 [-]"},
     {"fluid.free_surface.beta", "1", "1 must be < 1 [-]"},
     {"fluid.free_surface.delta", "-0.1", "-0.1 must be >= 0 [l0]"},

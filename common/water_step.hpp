@@ -1,0 +1,17 @@
+// How long a step of the water may be.
+#pragma once
+
+namespace cosurge {
+
+/// What limits a step of the water, eq. (17) of docs/method.md without the free flight of drops.
+struct WaterStepLimits {
+  double spacing;            ///< l0 [m]
+  double gravity;            ///< |g| [m/s2]
+  double viscosity;          ///< nu [m2/s]
+  double propagation_speed;  ///< c of the source `time_scale` [m/s]; 0 with other sources
+};
+
+/// Longest step [s] at a Courant number, for water, walls and bodies of at most `speed` [m/s].
+double longest_step(const WaterStepLimits& limits, double courant, double speed);
+
+}  // namespace cosurge
