@@ -21,11 +21,13 @@ std::string created_work_remark(const v1::Case& the_case, double created, double
   if (only_rigid(the_case) || !(passed > 0)) return "";
   const double share = created / passed;
   if (share > InterfaceAccount::much)
-    return fmt::format("the coupling created {:.2g} J of spurious energy ({:.3g} % of the work done, limit {:.0f} %)",
-                       created, 100 * share, 100 * InterfaceAccount::much);
+    return fmt::format(
+        "the coupling created {:.2g} J of spurious energy ({:.3g} % of the work done, limit {:.0f} %)",
+        created, 100 * share, 100 * InterfaceAccount::much);
   if (share < -InterfaceAccount::much_taken)
-    return fmt::format("the coupling took {:.2g} J of energy away ({:.3g} % of the work done, limit {:.0f} %)",
-                       -created, -100 * share, 100 * InterfaceAccount::much_taken);
+    return fmt::format(
+        "the coupling took {:.2g} J of energy away ({:.3g} % of the work done, limit {:.0f} %)", -created,
+        -100 * share, 100 * InterfaceAccount::much_taken);
   return "";
 }
 

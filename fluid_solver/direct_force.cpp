@@ -20,7 +20,8 @@ void DirectForce<dim>::add_collisions(const Particles<dim>& particles, const Nei
 }
 
 template <int dim>
-void DirectForce<dim>::add_friction(const Particles<dim>& particles, const Neighbors<dim>& neighbors, double factor) {
+void DirectForce<dim>::add_friction(const Particles<dim>& particles, const Neighbors<dim>& neighbors,
+                                    double factor) {
 #pragma omp parallel for schedule(dynamic, Rows::chunk)
   for (int j = 0; j < particles.size(); ++j) {
     if (particles.kind[j] == Kind::fluid) continue;

@@ -15,12 +15,13 @@ class DirectForce {
   /// Forgets the last step. `particles`: their number.
   void clear(int particles);
 
-  /// Notes that faces stop or push water particle i in this step; may be called by several threads, once for each i.
+  /// Notes that faces stop or push water particle i in this step; may be called by several threads, once for
+  /// each i.
   void note_struck(int i) { struck_[static_cast<std::size_t>(i)] = 1; }
 
   /// Adds the collisions of the noted particles. `mass`: of a particle [kg], `dt`: of the step [s].
-  void add_collisions(const Particles<dim>& particles, const Neighbors<dim>& neighbors, const CollisionLaw& law,
-                      double mass, double dt);
+  void add_collisions(const Particles<dim>& particles, const Neighbors<dim>& neighbors,
+                      const CollisionLaw& law, double mass, double dt);
 
   /// Adds the friction of eq. (8). `factor`: mass of a particle times 2 d nu / (lambda0 n0) [kg/s].
   void add_friction(const Particles<dim>& particles, const Neighbors<dim>& neighbors, double factor);

@@ -12,7 +12,8 @@ namespace {
 template <int dim>
 bool reaches_the_water(const LatticeFaces<dim>& wet, const Openness<dim>& open) {
   for (int axis = 0; axis < dim; ++axis)
-    if ((wet.above[axis] > 0 && open.above[axis] == 1) || (wet.below[axis] > 0 && open.below[axis] == 1)) return true;
+    if ((wet.above[axis] > 0 && open.above[axis] == 1) || (wet.below[axis] > 0 && open.below[axis] == 1))
+      return true;
   return false;
 }
 
@@ -86,8 +87,8 @@ void FilmPressure<dim>::solve(const Bodies<dim>& bodies, const std::vector<std::
 
 template <int dim>
 std::vector<int> FilmPressure<dim>::particles_in_gap(const std::vector<std::int32_t>& place,
-                                                     const Particles<dim>& particles, const Neighbors<dim>& neighbors,
-                                                     double spacing) const {
+                                                     const Particles<dim>& particles,
+                                                     const Neighbors<dim>& neighbors, double spacing) const {
   constexpr double near = 1.2;  // spacings
   std::vector<int> found;
   for (const int k : points_)

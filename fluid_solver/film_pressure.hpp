@@ -9,9 +9,9 @@
 
 namespace cosurge::fluid {
 
-/// A film at rest has the pressure of the water around it: p - rho g . x, the height of a standpipe times rho g, is
-/// continued from the open points of a body to those in the gap by Laplace's equation over the points of its surface
-/// (weights 1 / r^2 between points of the same body that are at most 1.5 spacings apart).
+/// A film at rest has the pressure of the water around it: p - rho g . x, the height of a standpipe times rho
+/// g, is continued from the open points of a body to those in the gap by Laplace's equation over the points
+/// of its surface (weights 1 / r^2 between points of the same body that are at most 1.5 spacings apart).
 template <int dim>
 class FilmPressure {
  public:
@@ -19,12 +19,14 @@ class FilmPressure {
   void find(const Bodies<dim>& bodies, const Faces<dim>& faces, const std::vector<Openness<dim>>& open,
             const std::vector<char>& film);
 
-  /// Computes the pressures. `place`: of each point among the particles; `slope`: rho g [Pa/m]; `spacing` [m].
-  void solve(const Bodies<dim>& bodies, const std::vector<std::int32_t>& place, const Particles<dim>& particles,
-             const Vec<dim>& slope, double spacing);
+  /// Computes the pressures. `place`: of each point among the particles; `slope`: rho g [Pa/m]; `spacing`
+  /// [m].
+  void solve(const Bodies<dim>& bodies, const std::vector<std::int32_t>& place,
+             const Particles<dim>& particles, const Vec<dim>& slope, double spacing);
 
-  /// Particles of water in the gap: nearer than 1.2 spacings to a point whose faces a film covers. They have less room
-  /// than a particle needs, so neither their density nor their divergence says anything about the water around.
+  /// Particles of water in the gap: nearer than 1.2 spacings to a point whose faces a film covers. They have
+  /// less room than a particle needs, so neither their density nor their divergence says anything about the
+  /// water around.
   std::vector<int> particles_in_gap(const std::vector<std::int32_t>& place, const Particles<dim>& particles,
                                     const Neighbors<dim>& neighbors, double spacing) const;
 

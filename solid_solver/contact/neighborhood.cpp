@@ -10,8 +10,9 @@ namespace {
 
 constexpr double reach_in_spacings = 1.5;
 constexpr double touching = 1e-6;  // [spacings] gap that rounding leaves between adjacent faces
-// [spacings] Approach without a contact force for clamped bodies that touch at the start. A clamped body that
-// reaches from wall to wall slides along the walls and bulges slightly towards them; this is not an impact.
+// [spacings] Approach without a contact force for clamped bodies that touch a wall of the tank at the start.
+// A clamped body that reaches from wall to wall slides along the walls and bulges slightly towards them; this
+// is not an impact. Obstacles and other bodies, on which a body may lean, are felt at once.
 constexpr double play = 0.05;
 
 // Shares of the stiffness: in a flat contact the vertices of both sides press on the facets of the other
@@ -108,7 +109,8 @@ void Neighborhood<dim>::add_walls(const Field& x, double t, Touches& touches) co
       const double gap = tank.gap(wall, home);
       if (gap > reach_) continue;
       Touch<dim> touch = nowhere<dim>(body_[v], wall, 1);
-      touch.gap = gap - rest_gap(tank.gap(wall, reference_.col(v)), clamped_[body_[v]] != 0);
+      touch.gap =
+          gap - rest_gap(tank.gap(wall, reference_.col(v)), clamped_[body_[v]] != 0 ? play * spacing_ : 0);
       touch.normal = tank.normal(wall);
       if (moves) {
         touch.normal = motion.place(home + touch.normal, t) - motion.place(home, t);
@@ -241,29 +243,22 @@ const std::vector<double>& Neighborhood<dim>::rest_gaps(int pressing, int presse
   if (is_new)
     found->second = find_rest_gaps(
         boundary(pressing), boundary(pressed),
-        pressed < first_body() ? obstacles_[pressed - walls()].shape() : shapes_[pressed - first_body()],
-        clamped(pressing) && clamped(pressed));
+        pressed < first_body() ? obstacles_[pressed - walls()].shape() : shapes_[pressed - first_body()]);
   return found->second;
-}
-
-/// Whether an object cannot move freely: a body with clamps or supports, a wall or an obstacle.
-template <int dim>
-bool Neighborhood<dim>::clamped(int name) const {
-  return body_of(name) < 0 || clamped_[static_cast<std::size_t>(body_of(name))] != 0;
 }
 
 /// The gap at which a pair of objects begins to touch [m], if its gap is `at_start` in the undeformed scene.
 template <int dim>
-double Neighborhood<dim>::rest_gap(double at_start, bool clamped) const {
+double Neighborhood<dim>::rest_gap(double at_start, double play) const {
   if (at_start > touching * spacing_) return 0;
-  return std::min(0.0, at_start) - (clamped ? play * spacing_ : 0);
+  return std::min(0.0, at_start) - play;
 }
 
 /// Rest gaps of the pressing vertices; vertices far inside the body never touch.
 template <int dim>
 std::vector<double> Neighborhood<dim>::find_rest_gaps(const Boundary<dim>& pressing,
-                                                      const Boundary<dim>& pressed, const Shape<dim>& shape,
-                                                      bool clamped) const {
+                                                      const Boundary<dim>& pressed,
+                                                      const Shape<dim>& shape) const {
   std::vector<double> gaps(pressing.area.size(), 0.0);
   const Box<dim> region = box_of<dim>(pressing.position);
   if (!overlap(region, widened(shape.bounds()))) return gaps;
@@ -271,7 +266,7 @@ std::vector<double> Neighborhood<dim>::find_rest_gaps(const Boundary<dim>& press
   for (std::size_t v = 0; v < gaps.size(); ++v) {
     const Vec<dim> x = pressing.position.col(static_cast<Eigen::Index>(v));
     if (const auto nearest = search.nearest(x))
-      gaps[v] = rest_gap(nearest->gap, clamped);
+      gaps[v] = rest_gap(nearest->gap, 0);
     else if (shape.contains(x))
       gaps[v] = -std::numeric_limits<double>::infinity();
   }

@@ -70,11 +70,10 @@ class Neighborhood {
   int first_body() const { return walls() + static_cast<int>(obstacles_.size()); }
   Field of_body(const Field& all, int b) const;
   Box<dim> widened(const Box<dim>& box) const;
-  double rest_gap(double at_start, bool clamped) const;
-  bool clamped(int name) const;
+  double rest_gap(double at_start, double play) const;
   const std::vector<double>& rest_gaps(int pressing, int pressed) const;
   std::vector<double> find_rest_gaps(const Boundary<dim>& pressing, const Boundary<dim>& pressed,
-                                     const Shape<dim>& shape, bool clamped) const;
+                                     const Shape<dim>& shape) const;
 
   void add_walls(const Field& x, double t, Touches& touches) const;
   void add_obstacle(int o, int b, const Field& x, double t, Touches& touches) const;

@@ -63,8 +63,8 @@ TEST(DirectForce, OfCollisionsIsWhatFacesTakeFromTheWater) {
   EXPECT_LT((sum(cloud, force) - lost).norm(), 1e-12 * lost.norm());
 }
 
-/// Impulse on the floor and momentum of the water, both downwards, for a stream that falls on it, relative to its
-/// weight times the time.
+/// Impulse on the floor and momentum of the water, both downwards, for a stream that falls on it, relative to
+/// its weight times the time.
 struct Fall {
   double impulse;
   double momentum;
@@ -95,8 +95,9 @@ Fall stream_on_the_floor(double width) {
   return fall;
 }
 
-// Seen: 10.8, 3.6 and 2.3 % missing; without the collisions 24, 11 and 4 %. The rest is the pressure gradient `corrected`,
-// which is not conservative where a particle lacks neighbours: it becomes smaller with the width.
+// Seen: 10.8, 3.6 and 2.3 % missing; without the collisions 24, 11 and 4 %. The rest is the pressure gradient
+// `corrected`, which is not conservative where a particle lacks neighbours: it becomes smaller with the
+// width.
 TEST(DirectForce, CarriesTheMomentumOfThinWaterToTheFloor) {
   for (const auto& [width, tolerance] : {std::pair{0.04, 0.14}, {0.08, 0.055}, {0.16, 0.035}}) {
     const Fall fall = stream_on_the_floor(width);
