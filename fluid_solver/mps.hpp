@@ -136,6 +136,8 @@ class Mps {
   void correct(double dt);
   void shift(double dt);
   StepReport survey(double end, double dt);
+  double courant(double driven) const;
+  double approach_to_faces(double least) const;
   double longest_step(double speed, double driven) const;
   void check_bounds(int water, int which, double fastest, double end) const;
 

@@ -15,7 +15,7 @@ double longest_window(const v1::Case& the_case) {
 
 double courant_number(const v1::Fluid& fluid, bool driven) {
   if (fluid.has_courant()) return fluid.courant();
-  return fluid.source() == v1::Fluid::time_scale && !driven ? 0.6 : 0.2;
+  return fluid.source() == v1::Fluid::time_scale && !driven ? 0.5 : 0.2;
 }
 
 double expected_window(const v1::Case& the_case) {

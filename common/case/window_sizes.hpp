@@ -8,7 +8,7 @@ namespace cosurge {
 /// Longest window that the case allows [s]: time.window, or without it the interval of frames.
 double longest_window(const v1::Case& the_case);
 
-/// fluid.courant, or its default (measured, docs/decisions.md): 0.6 with `time_scale`, 0.2 while walls drive
+/// fluid.courant, or its default (measured, docs/decisions.md): 0.5 with `time_scale`, 0.2 while walls drive
 /// the water; the other sources are unstable from 0.5 and have 0.2.
 /// @param driven whether walls are so fast that the source follows them and not the water's own waves
 double courant_number(const v1::Fluid& fluid, bool driven);

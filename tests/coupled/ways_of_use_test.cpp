@@ -181,7 +181,7 @@ TEST_F(WaysOfUse, AdviseShowsNumbersVerdictsAndOneRecommendation) {
   const std::string advice = run(cosurge("advise " + piston), scratch_.path());
   for (const char* line :
        {"mu about 0.5", "dry 2.449 Hz", "wet about 2 Hz, a period of 1000 windows",
-        "Use the model sprung and the scheme weak", "about 4000 of at most 0.0005 s", "fluid.courant is 0.6"})
+        "Use the model sprung and the scheme weak", "about 4000 of at most 0.0005 s", "fluid.courant is 0.5"})
     EXPECT_THAT(advice, HasSubstr(line));
   EXPECT_THAT(advice, Not(HasSubstr("prescribed motions")));
   const std::string baffle = COSURGE_SOURCE_DIR "/cases/sloshing_baffle";
