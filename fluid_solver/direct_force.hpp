@@ -26,11 +26,10 @@ class DirectForce {
   /// Adds the friction of eq. (8). `factor`: mass of a particle times 2 d nu / (lambda0 n0) [kg/s].
   void add_friction(const Particles<dim>& particles, const Neighbors<dim>& neighbors, double factor);
 
-  /// On the particle of a wall or body at this place [N].
-  const Vec<dim>& on(int place) const { return force_[static_cast<std::size_t>(place)]; }
-
-  /// Whether a step has been computed since the start or since a state was restored.
-  bool known() const { return !force_.empty(); }
+  /// On the particle of a wall or body at this place [N]; zero before the first step.
+  Vec<dim> on(int place) const {
+    return force_.empty() ? Vec<dim>(Vec<dim>::Zero()) : force_[static_cast<std::size_t>(place)];
+  }
 
  private:
   std::vector<Vec<dim>> force_;

@@ -73,9 +73,7 @@ class Mps {
   double wetness(double p) const;
 
   /// Friction and collisions of the last step on the particle of a wall or body at `place` [N].
-  Vec<dim> direct_force(int place) const {
-    return direct_force_.known() ? direct_force_.on(place) : Vec<dim>(Vec<dim>::Zero());
-  }
+  Vec<dim> direct_force(int place) const { return direct_force_.on(place); }
 
   const Walls<dim>& walls() const { return walls_; }
   const Bodies<dim>& bodies() const { return bodies_; }

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "common/error.hpp"
+#include "coupler/case_grid.hpp"
 #include "coupler/converge/spacing_runs.hpp"
 #include "coupler/replace_file.hpp"
 #include "coupler/say.hpp"
@@ -93,8 +94,8 @@ class Prediction {
       require(
           own > 0,
           "{}: its values scatter by {:.2g} % about a straight line over the spacing, more than the accuracy "
-          "of "
-          "{:.2g} %: ask for less, take a quantity that varies less from run to run (an impulse), or lower "
+          "of {:.2g} %: ask for less, take a quantity that varies less from run to run (an impulse), or "
+          "lower "
           "fluid.spacing",
           runs_.quantities()[q].text(), 100 * fits_[q].scatter(), 100 * error);
       spacing = std::min(spacing, own);
@@ -141,8 +142,7 @@ int choose(const Aim& aim, const SpacingRuns& runs, const Prediction& prediction
   const int within = prediction.for_cost(aim.core_seconds);
   throw Error(
       fmt::format("an error of {:.2g} % needs a spacing of {:.4g} m and about {}, beyond the budget of {}, "
-                  "which allows {:.4g} m "
-                  "with an error of {:.2g} %; raise --budget or --accuracy",
+                  "which allows {:.4g} m with an error of {:.2g} %; raise --budget or --accuracy",
                   100 * *aim.error, runs.spacing(k), time_words(prediction.core_seconds(k)),
                   time_words(aim.core_seconds), runs.spacing(within), 100 * prediction.error(within)));
 }
@@ -178,7 +178,8 @@ double say_reached(const SpacingRuns& runs, const Prediction& before, int k) {
 std::string csv_of(const SpacingRuns& runs, const std::string& note) {
   std::string text = "# " + note + "\nspacing [m],core_seconds";
   for (std::size_t q = 0; q < runs.quantities().size(); ++q)
-    text += fmt::format(",\"{} [{}]\"", runs.quantities()[q].text(), runs.units()[q]);
+    text +=
+        fmt::format(",{}", quoted_cell(fmt::format("{} [{}]", runs.quantities()[q].text(), runs.units()[q])));
   for (std::size_t k = 0; k < runs.samples(0).size(); ++k) {
     text += fmt::format("\n{:.8g},{:.4g}", runs.samples(0)[k].spacing, runs.samples(0)[k].core_seconds);
     for (std::size_t q = 0; q < runs.quantities().size(); ++q)

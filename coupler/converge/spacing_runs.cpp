@@ -74,16 +74,6 @@ int SpacingRuns::at_least_as_coarse(double spacing) const {
   return std::max(1, static_cast<int>(std::floor(coarsest_ / spacing * (1 + 1e-9))));
 }
 
-bool SpacingRuns::has(int k) const {
-  return std::any_of(folders_.begin(), folders_.end(), [k](const auto& one) { return one.first == k; });
-}
-
-std::string SpacingRuns::folder(int k) const {
-  for (const auto& [one, folder] : folders_)
-    if (one == k) return folder;
-  throw Error("no run has this spacing");
-}
-
 std::vector<std::string> SpacingRuns::settings(double spacing) const {
   std::vector<std::string> all;
   for (std::size_t k = 0; k < keys_.size(); ++k)
@@ -92,13 +82,10 @@ std::vector<std::string> SpacingRuns::settings(double spacing) const {
 }
 
 StudyPlan SpacingRuns::plan(int k, bool twice) const {
-  std::vector<std::string> values;
-  for (const std::string& setting : settings(spacing(k)))
-    values.push_back(setting.substr(setting.find('=') + 1));
   StudyOptions study;
   study.case_path = options_.case_path;
   study.overrides = options_.overrides;
-  study.over = {fmt::format("{}={}", fmt::join(keys_, "/"), fmt::join(values, "/"))};
+  study.over = settings(spacing(k));  // each an axis of one value
   study.scatter = twice && weighs_ ? 1 : 0;
   return read_plan(study);
 }
@@ -117,8 +104,7 @@ void SpacingRuns::run(int k, bool twice) {
       samples_[q].push_back({.spacing = spacing(k), .value = value, .core_seconds = run.core_seconds});
     }
   }
-  finest_ = std::max(finest_, k);
-  folders_.emplace_back(k, finished.front().folder.string());
+  folders_.emplace(k, finished.front().folder.string());
 }
 
 }  // namespace cosurge

@@ -1,9 +1,9 @@
 // A case at several spacings: its runs, their quantities and their cost.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "coupler/converge/converge_command.hpp"
@@ -24,11 +24,11 @@ class SpacingRuns {
   /// valid, the case's own and half of it.
   const std::vector<int>& first() const { return first_; }
 
-  double spacing(int k) const { return coarsest_ / k; }  ///< [m]
-  int at_least_as_fine(double spacing) const;            ///< the coarsest k of this spacing or finer
-  int at_least_as_coarse(double spacing) const;          ///< the finest k of this spacing or coarser
-  bool has(int k) const;                                 ///< it has run
-  int finest() const { return finest_; }                 ///< the largest k that has run
+  double spacing(int k) const { return coarsest_ / k; }    ///< [m]
+  int at_least_as_fine(double spacing) const;              ///< the coarsest k of this spacing or finer
+  int at_least_as_coarse(double spacing) const;            ///< the finest k of this spacing or coarser
+  bool has(int k) const { return folders_.contains(k); }   ///< it has run
+  int finest() const { return folders_.rbegin()->first; }  ///< the largest k that has run
 
   /// Runs the case at spacing k, from two starts if `twice`. @throws Error where a run fails.
   void run(int k, bool twice);
@@ -36,7 +36,9 @@ class SpacingRuns {
   int dimension() const { return dimension_; }
   const std::vector<Quantity>& quantities() const { return quantities_; }
   const std::vector<std::string>& units() const { return units_; }
-  std::string folder(int k) const;  ///< results of the first start at spacing k
+  const std::string& folder(int k) const {
+    return folders_.at(k);
+  }  ///< results of the first start at spacing k
 
   /// All runs so far, for a quantity.
   const std::vector<SpacingSample>& samples(std::size_t quantity) const { return samples_[quantity]; }
@@ -49,7 +51,6 @@ class SpacingRuns {
   ConvergeOptions options_;
   double coarsest_ = 0;  // H [m]
   std::vector<int> first_;
-  int finest_ = 0;
   std::vector<std::string> keys_;
   std::vector<double> key_spacings_;  // of the case, for each key [m]
   int dimension_ = 2;
@@ -57,7 +58,7 @@ class SpacingRuns {
   std::vector<Quantity> quantities_;
   std::vector<std::string> units_;
   std::vector<std::vector<SpacingSample>> samples_;
-  std::vector<std::pair<int, std::string>> folders_;
+  std::map<int, std::string> folders_;  // results of the first start, by k
   std::unique_ptr<StudyRuns> runs_;
 };
 
