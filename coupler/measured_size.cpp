@@ -14,31 +14,40 @@
 namespace cosurge {
 namespace {
 
-/// Measures the time of a few windows.
+/// Measures the time of a few windows, after some that are not counted if there are enough.
 class Stopwatch : public Observer {
  public:
   static constexpr int warm_up = 3;
   static constexpr int windows = 10;
+  static constexpr double patience = 30;  // s
 
   void window(const Window&, const Reports&, const std::vector<double>&) override {
-    if (++seen_ == warm_up) since_ = std::chrono::steady_clock::now();
-    if (seen_ == warm_up + windows)
-      seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - since_).count() / windows;
+    ++seen_;
+    last_ = Clock::now();
+    if (seen_ == warm_up) since_ = last_, before_ = seen_;
   }
-  bool done() const { return seen_ >= warm_up + windows; }
-  double seconds_per_window() const { return seconds_; }
+  bool done() const { return seen_ >= warm_up + windows || (seen_ > 0 && seconds(begin_, last_) > patience); }
+  double seconds_per_window() const {
+    if (seen_ > before_) return seconds(since_, last_) / (seen_ - before_);
+    return seen_ > 0 ? seconds(begin_, last_) / seen_ : 0;
+  }
 
  private:
+  using Clock = std::chrono::steady_clock;
+  static double seconds(Clock::time_point from, Clock::time_point to) {
+    return std::chrono::duration<double>(to - from).count();
+  }
+
+  Clock::time_point begin_ = Clock::now(), since_ = begin_, last_ = begin_;
   int seen_ = 0;
-  double seconds_ = 0;
-  std::chrono::steady_clock::time_point since_;
+  int before_ = 0;  // windows that are not counted
 };
 
 }  // namespace
 
 MeasuredSize measure_size(Simulation& simulation) {
   simulation.begin();
-  say("  running {} windows to measure their time ...\n", Stopwatch::warm_up + Stopwatch::windows);
+  say("  running at most {} windows to measure their time ...\n", Stopwatch::warm_up + Stopwatch::windows);
   Stopwatch stopwatch;
   simulation.observe(stopwatch);
   simulation.run([&] { return stopwatch.done(); });

@@ -14,13 +14,13 @@ struct MeasuredSize {
   long points = 0;                ///< number of interface points
   double windows = 0;             ///< to be expected until the end of the case
   double megabytes = 0;           ///< memory of this process [MB]
-  double seconds_per_window = 0;  ///< mean of ten windows, after three
+  double seconds_per_window = 0;  ///< mean of the windows after the third, of all if there are only three
 
   double seconds() const { return windows * seconds_per_window; }  ///< to be expected for the run
 };
 
-/// Sets the simulation up and computes its first 13 windows. The simulation must not have run before, and
-/// cannot continue.
+/// Sets the simulation up and computes its first windows: 13, or fewer if the run ends before or they take
+/// longer than half a minute. The simulation must not have run before, and cannot continue.
 MeasuredSize measure_size(Simulation& simulation);
 
 /// Prints the size, a line for each number.

@@ -3,7 +3,9 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <limits>
+#include <utility>
 
+#include "fluid_solver/point_hash.hpp"
 #include "fluid_solver/weight.hpp"
 
 namespace cosurge::fluid {
@@ -28,6 +30,16 @@ LatticeFaces<dim> wet_faces(const Vec<dim>& x, const BodySites<dim>& body,
   return wet;
 }
 
+/// Number of the point that is nearest to x, of equally near ones the first; -1 if none is within reach.
+template <int dim>
+int nearest_of(const PointHash<dim>& points, const Vec<dim>& x) {
+  std::pair nearest(std::numeric_limits<double>::max(), std::int32_t{-1});
+  points.near(x, [&](std::int32_t n, double) {
+    nearest = std::min(nearest, std::pair((points.points()[n] - x).squaredNorm(), n));
+  });
+  return nearest.second;
+}
+
 }  // namespace
 
 template <int dim>
@@ -46,30 +58,42 @@ Bodies<dim>::Bodies(const std::vector<WetBody<dim>>& bodies, const Box<dim>& tan
     }
   }
   find_neighbors(spacing);
-  find_nearest_wet();
+  find_nearest_wet(spacing);
 }
 
 template <int dim>
 void Bodies<dim>::find_neighbors(double spacing) {
   const double reach = 2.1 * spacing;  // two layers: F stays well conditioned at edges and corners
+  PointHash<dim> all(reach);
+  for (const Vec<dim>& x : position_) all.add(x);
   neighbor_begin_ = {0};
   for (int k = 0; k < points(); ++k) {
-    for (int j = 0; wet(k) && j < points(); ++j)
-      if (j != k && body_[j] == body_[k] && (position_[j] - position_[k]).norm() < reach)
-        neighbor_.push_back(j);
+    if (wet(k))
+      all.near(position_[k], [&](std::int32_t j, double) {
+        if (j != k && body_[j] == body_[k]) neighbor_.push_back(j);
+      });
+    std::sort(neighbor_.begin() + neighbor_begin_.back(), neighbor_.end());
     neighbor_begin_.push_back(static_cast<int>(neighbor_.size()));
   }
 }
 
 template <int dim>
-void Bodies<dim>::find_nearest_wet() {
+void Bodies<dim>::find_nearest_wet(double spacing) {
   nearest_wet_.assign(position_.size(), -1);
-  for (int k = 0; k < points(); ++k) {
-    double nearest = std::numeric_limits<double>::max();
-    for (int j = 0; j < points(); ++j) {
-      if (!wet(j) || body_[j] != body_[k]) continue;
-      const double way = (position_[j] - position_[k]).squaredNorm();
-      if (way < nearest) nearest = way, nearest_wet_[k] = j;
+  for (int first = 0, end = 0; first < points(); first = end) {
+    std::vector<int> wet_points, left;  // of this body: those with water, those without a nearest one yet
+    for (; end < points() && body_[end] == body_[first]; ++end) {
+      left.push_back(end);
+      if (wet(end)) wet_points.push_back(end);
+    }
+    for (double reach = 2.1 * spacing; !wet_points.empty() && !left.empty(); reach *= 2) {
+      PointHash<dim> surface(reach);
+      for (const int w : wet_points) surface.add(position_[w]);
+      std::erase_if(left, [&](int k) {
+        const int nearest = nearest_of(surface, position_[k]);
+        if (nearest >= 0) nearest_wet_[k] = wet_points[nearest];
+        return nearest >= 0;
+      });
     }
   }
 }

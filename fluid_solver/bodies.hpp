@@ -79,7 +79,7 @@ class Bodies {
 
  private:
   void find_neighbors(double spacing);
-  void find_nearest_wet();
+  void find_nearest_wet(double spacing);
   Mat<dim> cofactor(int k, const Field& displacement) const;
 
   std::vector<bool> held_at_rest_;

@@ -6,6 +6,7 @@ template <int dim>
 void DirectForce<dim>::clear(int particles) {
   force_.assign(static_cast<std::size_t>(particles), Vec<dim>::Zero());
   struck_.assign(static_cast<std::size_t>(particles), 0);
+  rubs_on_.assign(static_cast<std::size_t>(particles), FaceBefore<dim>());
 }
 
 template <int dim>
@@ -21,15 +22,17 @@ void DirectForce<dim>::add_collisions(const Particles<dim>& particles, const Nei
 
 template <int dim>
 void DirectForce<dim>::add_friction(const Particles<dim>& particles, const Neighbors<dim>& neighbors,
-                                    double factor) {
-#pragma omp parallel for schedule(dynamic, Rows::chunk)
-  for (int j = 0; j < particles.size(); ++j) {
-    if (particles.kind[j] == Kind::fluid) continue;
-    Vec<dim> sum = Vec<dim>::Zero();
-    neighbors.each_weighted(particles, j, [&](int i, const Vec<dim>&, double, double w) {
-      if (particles.kind[i] == Kind::fluid) sum += w * (particles.u[i] - particles.u[j]);
+                                    const NoSlip<dim>& rule, double factor) {
+  // In order: the sums have the same bits with any number of threads.
+  for (int i = 0; i < particles.size(); ++i) {
+    const FaceBefore<dim>& face = rubs_on_[static_cast<std::size_t>(i)];
+    if (face.place < 0) continue;
+    neighbors.each_weighted(particles, i, [&](int j, const Vec<dim>&, double, double w) {
+      if (particles.kind[j] == Kind::fluid) return;
+      const int felt_by = has_pressure(particles.kind[j]) ? j : face.place;
+      force_[static_cast<std::size_t>(felt_by)] -=
+          factor * w * beyond_face(particles, i, j, face, rule).of_motion;
     });
-    force_[static_cast<std::size_t>(j)] += factor * sum;
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include "fluid_solver/collision.hpp"
 #include "fluid_solver/neighbors.hpp"
+#include "fluid_solver/viscosity.hpp"
 
 namespace cosurge::fluid {
 
@@ -23,8 +24,13 @@ class DirectForce {
   void add_collisions(const Particles<dim>& particles, const Neighbors<dim>& neighbors,
                       const CollisionLaw& law, double mass, double dt);
 
-  /// Adds the friction of eq. (8). `factor`: mass of a particle times 2 d nu / (lambda0 n0) [kg/s].
-  void add_friction(const Particles<dim>& particles, const Neighbors<dim>& neighbors, double factor);
+  /// Notes that water particle i rubs on a face; may be called by several threads, once for each i.
+  void note_rubbing(int i, const FaceBefore<dim>& face) { rubs_on_[static_cast<std::size_t>(i)] = face; }
+
+  /// Adds the friction of eq. (8) of the noted particles. Layers behind a face give theirs to its nearest
+  /// point. `factor`: mass of a particle times 2 d nu / (lambda0 n0) [kg/s].
+  void add_friction(const Particles<dim>& particles, const Neighbors<dim>& neighbors, const NoSlip<dim>& rule,
+                    double factor);
 
   /// On the particle of a wall or body at this place [N]; zero before the first step.
   Vec<dim> on(int place) const {
@@ -34,6 +40,7 @@ class DirectForce {
  private:
   std::vector<Vec<dim>> force_;
   std::vector<char> struck_;
+  std::vector<FaceBefore<dim>> rubs_on_;
 };
 
 }  // namespace cosurge::fluid

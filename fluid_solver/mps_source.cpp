@@ -29,7 +29,8 @@ void Mps<dim>::set_source_per_divergence(double dt) {
 #pragma omp parallel for schedule(dynamic, Rows::chunk)
   for (std::size_t m = 0; m < unknowns.size(); ++m) {
     const std::int32_t i = unknowns[m];
-    const double k = answers * approach_speed(particles_, neighbors_, i, kick) / water_.spacing;
+    const double k =
+        answers * approach_speed(particles_, neighbors_, i, kick, water_.spacing) / water_.spacing;
     source_per_divergence_[i] = std::max(source_per_divergence_[i], rho * std::min(k, most));
   }
 }

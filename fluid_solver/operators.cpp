@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 
 #include "fluid_solver/faces.hpp"
+#include "fluid_solver/seen_faces.hpp"
 #include "fluid_solver/weight.hpp"
 
 namespace cosurge::fluid {
@@ -86,30 +87,44 @@ double near_divergence(const Particles<dim>& particles, const std::vector<Vec<di
   return dim / n0 * sum;
 }
 
+/// approach_speed() of water particle i.
 template <int dim>
-double approach_speed(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i,
-                      const Vec<dim>& kick) {
-  const bool water = particles.kind[i] == Kind::fluid;
-  double fastest = 0;
+double approach_of_water(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i,
+                         const Vec<dim>& kick, double spacing) {
+  SeenFaces<dim> faces(spacing);
+  const auto to_wall = [&](int j, const Vec<dim>& x_ij, double r, const Vec<dim>& n) {
+    return -across_face<dim>(particles.u[j] - particles.u[i] + kick, n).dot(x_ij) / r;
+  };
+  double to_water = 0, to_walls = 0;
   neighbors.each_weighted(particles, i, [&](int j, const Vec<dim>& x_ij, double r, double) {
-    const bool water_j = particles.kind[j] == Kind::fluid;
-    if (!water && !water_j) return;
-    Vec<dim> u_ij = particles.u[j] - particles.u[i];
-    if (!water_j) u_ij = across_face<dim>(u_ij + kick, particles.normal[j]);
-    if (!water) u_ij = across_face<dim>(u_ij - kick, particles.normal[i]);
-    fastest = std::max(fastest, -u_ij.dot(x_ij) / r);
+    if (particles.kind[j] == Kind::fluid) {
+      to_water = std::max(to_water, (particles.u[i] - particles.u[j]).dot(x_ij) / r);
+      return;
+    }
+    faces.add(particles.normal[j], x_ij, has_pressure(particles.kind[j]));
+    to_walls = std::max(to_walls, to_wall(j, x_ij, r, particles.normal[j]));
   });
-  return fastest;
+  if (!faces.at_edge()) return std::max(to_water, to_walls);
+  to_walls = 0;
+  neighbors.each_weighted(particles, i, [&](int j, const Vec<dim>& x_ij, double r, double) {
+    if (particles.kind[j] != Kind::fluid)
+      to_walls = std::max(to_walls, to_wall(j, x_ij, r, faces.normal(particles.normal[j])));
+  });
+  return std::max(to_water, to_walls);
 }
 
 template <int dim>
-Vec<dim> velocity_laplacian(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i,
-                            double n0, double lambda0) {
-  Vec<dim> sum = Vec<dim>::Zero();
-  neighbors.each_weighted(particles, i, [&](int j, const Vec<dim>&, double, double w) {
-    sum += w * (particles.u[j] - particles.u[i]);
+double approach_speed(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i,
+                      const Vec<dim>& kick, double spacing) {
+  if (particles.kind[i] == Kind::fluid) return approach_of_water(particles, neighbors, i, kick, spacing);
+  const Vec<dim>& n = particles.normal[i];
+  double fastest = 0;
+  neighbors.each_weighted(particles, i, [&](int j, const Vec<dim>& x_ij, double r, double) {
+    if (particles.kind[j] != Kind::fluid || n.dot(x_ij) < 0) return;
+    const Vec<dim> u_ij = across_face<dim>(particles.u[j] - particles.u[i] - kick, n);
+    fastest = std::max(fastest, -u_ij.dot(x_ij) / r);
   });
-  return 2 * dim / (lambda0 * n0) * sum;
+  return fastest;
 }
 
 template Vec<2> gradient_p_min<2>(const Particles<2>&, const Neighbors<2>&, int, double);
@@ -126,9 +141,7 @@ template double near_divergence<2>(const Particles<2>&, const std::vector<Vec<2>
                                    double, const Vec<2>&);
 template double near_divergence<3>(const Particles<3>&, const std::vector<Vec<3>>&, const Neighbors<3>&, int,
                                    double, const Vec<3>&);
-template double approach_speed<2>(const Particles<2>&, const Neighbors<2>&, int, const Vec<2>&);
-template double approach_speed<3>(const Particles<3>&, const Neighbors<3>&, int, const Vec<3>&);
-template Vec<2> velocity_laplacian<2>(const Particles<2>&, const Neighbors<2>&, int, double, double);
-template Vec<3> velocity_laplacian<3>(const Particles<3>&, const Neighbors<3>&, int, double, double);
+template double approach_speed<2>(const Particles<2>&, const Neighbors<2>&, int, const Vec<2>&, double);
+template double approach_speed<3>(const Particles<3>&, const Neighbors<3>&, int, const Vec<3>&, double);
 
 }  // namespace cosurge::fluid

@@ -45,11 +45,11 @@ template <int dim>
 Vec<dim> even_out(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i, double n0);
 
 /// Largest approach speed [m/s] of particle i and a neighbour, at least 0. Pairs without water do not count;
-/// for a point of a wall or body only the component normal to its face counts. `kick` [m/s] is added to the
-/// velocity of walls and bodies.
+/// for a point of a wall or body only the component normal to its face counts, at an edge to the face that
+/// the water sees (SeenFaces). `kick` [m/s] is added to the velocity of walls and bodies. `spacing`: l0 [m].
 template <int dim>
 double approach_speed(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i,
-                      const Vec<dim>& kick);
+                      const Vec<dim>& kick, double spacing);
 
 /// Velocity divergence at particle i, eq. (10): (d / n0) sum of (u_j - u_i) . x_ij / r^2 w over all
 /// neighbours. Pairs of points of bodies are left out: a pressure in response to the compression of a
@@ -59,11 +59,5 @@ double approach_speed(const Particles<dim>& particles, const Neighbors<dim>& nei
 template <int dim>
 double near_divergence(const Particles<dim>& particles, const std::vector<Vec<dim>>& velocity,
                        const Neighbors<dim>& neighbors, int i, double n0, const Vec<dim>& kick);
-
-/// Laplacian of the velocity at particle i, eq. (8): (2 d / (lambda0 n0)) sum of (u_j - u_i) w over all
-/// neighbours.
-template <int dim>
-Vec<dim> velocity_laplacian(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i,
-                            double n0, double lambda0);
 
 }  // namespace cosurge::fluid

@@ -46,7 +46,12 @@ Shape<dim> Shape<dim>::moved(const Vec<dim>& by) const {
 
 template <int dim>
 bool Shape<dim>::contains(const Vec<dim>& x) const {
-  return bounds_.contains(x) && (is_box() || winding(x) != 0);
+  if (is_box()) return bounds_.contains(x);
+  // Points on a face are inside. Rounding alone would decide, and leave single sites of a lattice out.
+  const double rounding = 1e-9 * (bounds_.max - bounds_.min).norm();
+  const Vec<dim> margin = Vec<dim>::Constant(rounding);
+  if (!Box<dim>(bounds_.min - margin, bounds_.max + margin).contains(x)) return false;
+  return winding(x) != 0 || tree_.nearest(x).distance_squared <= rounding * rounding;
 }
 
 template <int dim>
@@ -92,7 +97,8 @@ double Shape<dim>::share_outside(const Vec<dim>& x, const Vec<dim>& way) const {
   }
   for (int halving = 0; halving < 50; ++halving) {
     const double middle = 0.5 * (out + in);
-    (contains(x + middle * way) ? in : out) = middle;
+    const Vec<dim> at = x + middle * way;
+    (bounds_.contains(at) && winding(at) != 0 ? in : out) = middle;
   }
   return in;
 }

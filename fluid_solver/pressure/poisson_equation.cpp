@@ -190,8 +190,11 @@ double PoissonEquation<dim>::divergence_at_faces(const Particles<dim>& particles
                                                  const std::vector<Vec<dim>>& velocity,
                                                  const CellGrid<dim>& grid, int i,
                                                  const Vec<dim>& kick) const {
-  return per_sum() *
-         parting_at_faces(particles, velocity, grid, i, parameters_.re, reference_.face_factor, kick);
+  const FaceRule<dim> rule{.re = parameters_.re,
+                           .spacing = parameters_.spacing,
+                           .face_factor = reference_.face_factor,
+                           .kick = kick};
+  return per_sum() * parting_at_faces(particles, velocity, grid, i, rule);
 }
 
 /// w_ij (u_j - u_i) . x_ij of unknown k and a block of others.

@@ -4,6 +4,8 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <limits>
+#include <utility>
 
 #include "tests/support/make_mps.hpp"
 #include "tests/support/outlines.hpp"
@@ -89,6 +91,23 @@ void expect_buoyancy(const Bodies<dim>& bodies, double volume_between_centres) {
 TEST(BodySurface, HydrostaticPressureGivesTheBuoyancyOfTheVolumeBetweenTheOuterCentres) {
   expect_buoyancy(free_plate(), 4 * (7 - 1) * l0 * l0);
   expect_buoyancy(free_brick(), 4 * (7 - 1) * 3 * l0 * l0 * l0);
+}
+
+/// The first of the wet points of its body that are nearest to point k.
+int nearest_wet_point(const Bodies<3>& bodies, int k) {
+  std::pair nearest(std::numeric_limits<double>::max(), -1);
+  for (int j = 0; j < bodies.points(); ++j)
+    if (bodies.wet(j) && bodies.body(j) == bodies.body(k))
+      nearest = std::min(nearest, std::pair((bodies.position(j) - bodies.position(k)).squaredNorm(), j));
+  return nearest.second;
+}
+
+TEST(BodySurface, InnerPointsOfThickBodiesBelongToTheNearestWetPointOfTheirBody) {
+  v1::Solid two = solid_of(box_of({0.1, 0.1, 0.1}, {0.24, 0.25, 0.23}));
+  *two.add_body() = solid_of(box_of({0.24, 0.1, 0.1}, {0.29, 0.25, 0.23})).body(0);
+  const auto bodies = test::bodies_of<3>(two, tank3, l0);
+  for (int k = 0; k < bodies.points(); ++k)
+    EXPECT_EQ(bodies.face_point(k), nearest_wet_point(bodies, k)) << k;
 }
 
 TEST(BodySurface, TurnsWithARigidRotation) {

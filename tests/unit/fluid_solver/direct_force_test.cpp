@@ -30,15 +30,25 @@ Vec<2> sum(const test::Cloud<2>& cloud, const DirectForce<2>& force) {
 }
 
 TEST(DirectForce, OfFrictionIsWhatTheViscosityTakesFromTheWater) {
-  const auto cloud = moving_block();
+  auto cloud = moving_block();
+  for (int i = 0; i < cloud.particles.size(); ++i) {  // walls that do not rotate, and layers behind the faces
+    if (cloud.particles.kind[i] != Kind::fluid) cloud.particles.u[i] = {0.3, 0.5};
+    if (cloud.particles.x[i][0] < 3 && cloud.particles.kind[i] == Kind::body_surface)
+      cloud.particles.kind[i] = Kind::body_inner;
+  }
+  cloud.neighbors.rebuild(cloud.particles);
   constexpr double mass = 3, nu = 0.2, n0 = 5, lambda0 = 1.7;
+  const NoSlip<2> rule{.spacing = 1, .kick = {0.1, -0.2}};
   DirectForce<2> force;
   force.clear(cloud.particles.size());
-  force.add_friction(cloud.particles, cloud.neighbors, mass * nu * 2 * 2 / (lambda0 * n0));
   Vec<2> lost = Vec<2>::Zero();
-  for (int i = 0; i < cloud.particles.size(); ++i)
-    if (cloud.particles.kind[i] == Kind::fluid)
-      lost -= mass * nu * velocity_laplacian(cloud.particles, cloud.neighbors, i, n0, lambda0);
+  for (int i = 0; i < cloud.particles.size(); ++i) {
+    if (cloud.particles.kind[i] != Kind::fluid) continue;
+    const FaceBefore<2> face = face_before(cloud.particles, cloud.neighbors, i, rule.spacing);
+    if (face.place >= 0) force.note_rubbing(i, face);
+    lost -= mass * nu * velocity_laplacian(cloud.particles, cloud.neighbors, i, face, rule, n0, lambda0);
+  }
+  force.add_friction(cloud.particles, cloud.neighbors, rule, mass * nu * 2 * 2 / (lambda0 * n0));
   EXPECT_GT(lost.norm(), 1);
   EXPECT_LT((sum(cloud, force) - lost).norm(), 1e-12 * lost.norm());
 }

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "fluid_solver/reference_values.hpp"
+#include "fluid_solver/viscosity.hpp"
 #include "tests/support/water.hpp"
 
 namespace cosurge::fluid {
@@ -19,6 +20,14 @@ using test::some_matrix;
 constexpr double l0 = 0.01;
 constexpr double rounding =
     1e-10;  // sums of up to 32 terms u / l0^2, u of order one: 1e-16 / 1e-4, and cancellation
+
+/// Laplacian of the velocity in water without walls.
+template <int dim>
+Vec<dim> laplacian(const Cloud<dim>& cloud, int i, const ReferenceValues& reference) {
+  const NoSlip<dim> no_walls{.spacing = l0, .kick = Vec<dim>::Zero()};
+  return velocity_laplacian(cloud.particles, cloud.neighbors, i, {}, no_walls, reference.n0,
+                            reference.lambda0);
+}
 
 template <typename T>
 class Operators : public ::testing::Test {};
@@ -45,7 +54,7 @@ TYPED_TEST(Operators, AreExactForConstantAndLinearFieldsInsideALattice) {
   const double n0 = l.reference.n0;
   EXPECT_NEAR(near_divergence<dim>(particles, particles.u, neighbors, l.i, n0, Vec<dim>::Zero()), A.trace(),
               rounding);
-  EXPECT_LT(velocity_laplacian(particles, neighbors, l.i, n0, l.reference.lambda0).norm(), rounding);
+  EXPECT_LT(laplacian(l.cloud, l.i, l.reference).norm(), rounding);
   EXPECT_LT((gradient_p_min(particles, neighbors, l.i, n0) - slope).norm(), rounding * slope.norm());
   EXPECT_LT((gradient_conserving<dim>(particles, neighbors, l.i, n0, Vec<dim>::Zero(), 0) - slope).norm(),
             rounding * slope.norm());
@@ -58,7 +67,7 @@ TYPED_TEST(Operators, LaplacianIsExactForQuadraticFieldsInsideALattice) {
   const Mat<dim> A = some_matrix<dim>();
   for (int j = 0; j < particles.size(); ++j)
     for (int k = 0; k < dim; ++k) particles.u[j][k] = (k + 1) * particles.x[j].dot(A * particles.x[j]);
-  const Vec<dim> result = velocity_laplacian(particles, neighbors, l.i, l.reference.n0, l.reference.lambda0);
+  const Vec<dim> result = laplacian(l.cloud, l.i, l.reference);
   for (int k = 0; k < dim; ++k) EXPECT_NEAR(result[k], (k + 1) * 2 * A.trace(), rounding);
 }
 
@@ -74,14 +83,14 @@ TYPED_TEST(Operators, ApproachSpeedIsThatOfTheFastestPairAcrossFaces) {
     particles.u[j] = wall ? Vec<dim>(5 * along) : Vec<dim>(kick);  // walls may slide
   }
   const int wall = l.cloud.nearest(Vec<dim>::Constant(3.5 * l0) - l0 * up);
-  EXPECT_EQ(approach_speed(particles, neighbors, l.i, kick), 0);  // the same kick for both
-  EXPECT_EQ(approach_speed(particles, neighbors, wall, kick), 0);
+  EXPECT_EQ(approach_speed(particles, neighbors, l.i, kick, l0), 0);  // the same kick for both
+  EXPECT_EQ(approach_speed(particles, neighbors, wall, kick, l0), 0);
   particles.u[l.i] = kick - 3 * up;
-  EXPECT_NEAR(approach_speed(particles, neighbors, l.i, kick), 3, rounding);
-  EXPECT_NEAR(approach_speed(particles, neighbors, wall, kick), 3, rounding);
+  EXPECT_NEAR(approach_speed(particles, neighbors, l.i, kick, l0), 3, rounding);
+  EXPECT_NEAR(approach_speed(particles, neighbors, wall, kick, l0), 3, rounding);
   particles.u[l.i] = kick + 3 * up;  // away from the wall, towards the water above
-  EXPECT_NEAR(approach_speed(particles, neighbors, l.i, kick), 3, rounding);
-  EXPECT_EQ(approach_speed(particles, neighbors, wall, kick), 0);
+  EXPECT_NEAR(approach_speed(particles, neighbors, l.i, kick, l0), 3, rounding);
+  EXPECT_EQ(approach_speed(particles, neighbors, wall, kick, l0), 0);
 }
 
 TYPED_TEST(Operators, WaterThatFallsWithAKickDivergesFromWallsThatHaveTheSameKickNowhere) {
@@ -260,9 +269,7 @@ std::pair<double, double> wave_errors(int count, double disorder) {
         near_divergence<dim>(particles, particles.u, cloud.neighbors, i, reference.n0, Vec<dim>::Zero()) -
             exact,
         2);
-    error_lap +=
-        (velocity_laplacian(particles, cloud.neighbors, i, reference.n0, reference.lambda0) - curvature)
-            .squaredNorm();
+    error_lap += (laplacian(cloud, i, reference) - curvature).squaredNorm();
     size_div += exact * exact;
     size_lap += curvature.squaredNorm();
   }
