@@ -3,6 +3,9 @@
 
 namespace cosurge {
 
+/// k_u of eq. (6c) over V / l0: walls that move at V are answered so many times in the time of a spacing.
+inline constexpr double answers_to_walls = 15;
+
 /// What limits a step of the water, eq. (17) of docs/method.md without the free flight of drops.
 struct WaterStepLimits {
   double spacing;            ///< l0 [m]

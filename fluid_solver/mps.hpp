@@ -139,7 +139,6 @@ class Mps {
   double longest_step(double speed, double driven) const;
   void check_bounds(int water, int which, double fastest, double end) const;
 
-  static constexpr double answers_to_walls = 15;  // eq. (6c): k_u over V / l0
 
   Water<dim> water_;
   ReferenceValues reference_;  // values for the radius re_gradient

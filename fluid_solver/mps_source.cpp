@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/water_step.hpp"
 #include "fluid_solver/closing_speed.hpp"
 #include "fluid_solver/mps.hpp"
 #include "fluid_solver/operators.hpp"

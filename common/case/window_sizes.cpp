@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/case/wall_speeds.hpp"
 #include "common/case/water_depth.hpp"
 #include "common/water_step.hpp"
 
@@ -31,8 +32,17 @@ double expected_window(const v1::Case& the_case) {
                                                     : fluid.has_propagation_speed()
                                                         ? fluid.propagation_speed()
                                                         : default_speed};
-  const double speed = 2 * std::sqrt(heads.above_tank);  // Ritter's bound of a front on a dry bed
-  return std::min(longest, longest_step(limits, courant_number(fluid, false), speed));
+  const double falling = 2 * std::sqrt(heads.above_tank);  // Ritter's bound of a front on a dry bed
+  const auto window = [&](double driven) {
+    const bool follows_walls = answers_to_walls * driven > limits.propagation_speed;
+    return std::min(longest,
+                    longest_step(limits, courant_number(fluid, follows_walls), std::max(falling, driven)));
+  };
+  const std::vector<double> driven = driven_speeds(the_case);
+  if (driven.empty()) return window(0);
+  double windows = 0;  // for each second
+  for (const double speed : driven) windows += 1 / window(speed) / static_cast<double>(driven.size());
+  return 1 / windows;
 }
 
 }  // namespace cosurge

@@ -14,7 +14,8 @@ double longest_window(const v1::Case& the_case);
 double courant_number(const v1::Fluid& fluid, bool driven);
 
 /// Typical window [s]: the longest, or what water allows that has fallen from its highest point to the lowest
-/// point of the tank, in the direction of gravity.
+/// point of the tank, in the direction of gravity, or that obstacles and bodies with a prescribed motion
+/// drive: the mean of the run, as the end of the case over the number of windows.
 double expected_window(const v1::Case& the_case);
 
 }  // namespace cosurge

@@ -16,41 +16,8 @@ BodySites<dim>::BodySites(const Shape<dim>& shape, double spacing) : spacing_(sp
     in[static_cast<std::size_t>(block_.join(k - lower_))] = 1;
   }
   taken_ = shape.is_box() ? in : blocks(in);
-  if (!shape.is_box()) take_flat_ends(in);
   for (const Vec<dim>& x : inside)
     if (contains(x)) sites_.push_back(x);
-}
-
-/// Takes cells inside that touch a taken cell and belong to a block if the first and the last layer along
-/// each axis is repeated beyond it: a body that ends in a plane of the lattice, such as a leaning plate on
-/// the floor, keeps the sites of its end.
-template <int dim>
-void BodySites<dim>::take_flat_ends(const std::vector<char>& inside) {
-  Index first = block_.count, last = -Index::Ones();
-  for (Eigen::Index c = 0; c < block_.cells(); ++c) {
-    if (inside[static_cast<std::size_t>(c)] == 0) continue;
-    first = first.cwiseMin(block_.split(c));
-    last = last.cwiseMax(block_.split(c));
-  }
-  std::vector<char> longer = inside;
-  const auto each_end = [&](const Index& k, auto&& visit) {
-    for (int axis = 0; axis < dim; ++axis)
-      for (const int side : {-1, 1})
-        if (k[axis] == (side < 0 ? first : last)[axis])
-          if (const Eigen::Index c = block_.join(k + side * Index::Unit(axis)); c >= 0) visit(c);
-  };
-  for (Eigen::Index c = 0; c < block_.cells(); ++c)
-    if (inside[static_cast<std::size_t>(c)] != 0)
-      each_end(block_.split(c), [&](Eigen::Index beyond) { longer[static_cast<std::size_t>(beyond)] = 1; });
-  const std::vector<char> in_block = blocks(longer), taken = taken_;
-  for (Eigen::Index c = 0; c < block_.cells(); ++c) {
-    const auto at = static_cast<std::size_t>(c);
-    if (inside[at] == 0 || in_block[at] == 0) continue;
-    for (int way = 0; way < 2 * dim; ++way) {
-      const Eigen::Index next = block_.join(block_.split(c) + (way % 2 * 2 - 1) * Index::Unit(way / 2));
-      if (next >= 0 && taken[static_cast<std::size_t>(next)] != 0) taken_[at] = 1;
-    }
-  }
 }
 
 /// Cells that belong to a block of 2^dim cells inside.

@@ -7,8 +7,8 @@
 namespace cosurge {
 
 /// Sites inside the body's shape; of an outline those that belong to blocks of 2^dim such sites, so that
-/// every site has neighbours in all directions, at a sharp tip too, and the sites beside them on its flat
-/// ends. Water, particles and frames have the same sites of a body where they have the same spacing.
+/// every site has neighbours in all directions, at a sharp tip too. Water, particles and frames have the same
+/// sites of a body where they have the same spacing.
 template <int dim>
 class BodySites {
  public:
@@ -26,7 +26,6 @@ class BodySites {
  private:
   using Index = typename CellBlock<dim>::Index;
 
-  void take_flat_ends(const std::vector<char>& inside);
   std::vector<char> blocks(const std::vector<char>& inside) const;
 
   double spacing_;

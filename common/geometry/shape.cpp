@@ -46,21 +46,18 @@ Shape<dim> Shape<dim>::moved(const Vec<dim>& by) const {
 
 template <int dim>
 bool Shape<dim>::contains(const Vec<dim>& x) const {
-  if (is_box()) return bounds_.contains(x);
-  // Points on a face are inside. Rounding alone would decide, and leave single sites of a lattice out.
-  const double rounding = 1e-9 * (bounds_.max - bounds_.min).norm();
-  const Vec<dim> margin = Vec<dim>::Constant(rounding);
-  if (!Box<dim>(bounds_.min - margin, bounds_.max + margin).contains(x)) return false;
-  return winding(x) != 0 || tree_.nearest(x).distance_squared <= rounding * rounding;
+  return bounds_.contains(x) && (is_box() || winding(x) != 0);
 }
 
 template <int dim>
 int Shape<dim>::winding(const Vec<dim>& x) const {
   if (is_box()) return bounds_.contains(x) ? 1 : 0;
-  // A little aside of where edges lie: a ray along the edge of two triangles would meet both or none.
-  Vec<dim> aside = Vec<dim>::Zero();
-  if constexpr (dim == 3) aside = 1e-9 * (bounds_.max - bounds_.min).norm() * Vec<3>(0, 1, 0.618);
-  const int sum = tree_.crossings(x + aside);
+  // A little aside of where faces and edges lie: rounding would decide about each point on a face, and a ray
+  // along the edge of two triangles would meet both or none. Points on a face below the body are inside, on
+  // one above it outside, so that the sites of a lattice keep their mean volume.
+  Vec<dim> aside = Vec<dim>::Unit(dim - 1);
+  aside[dim - 2] = 1e-3;  // for upright faces
+  const int sum = tree_.crossings(x + 1e-9 * (bounds_.max - bounds_.min).norm() * aside);
   return oriented_ ? sum : std::abs(sum) % 2;
 }
 
@@ -97,8 +94,7 @@ double Shape<dim>::share_outside(const Vec<dim>& x, const Vec<dim>& way) const {
   }
   for (int halving = 0; halving < 50; ++halving) {
     const double middle = 0.5 * (out + in);
-    const Vec<dim> at = x + middle * way;
-    (bounds_.contains(at) && winding(at) != 0 ? in : out) = middle;
+    (contains(x + middle * way) ? in : out) = middle;
   }
   return in;
 }

@@ -58,7 +58,7 @@ void say_body(const v1::Case& the_case, const BodyNumbers& body, int b) {
   if (body.added_mass_ratio)
     say("    added mass / mass    mu about {:.3g}\n", *body.added_mass_ratio);
   else
-    say("    added mass / mass    not known: no water above it or beside it\n");
+    say("    added mass / mass    no estimate: at the start no water lies above it or beside it\n");
   if (body.gain) say("    thickness waves      gain {:.3g}\n", *body.gain);
   if (body.deflection)
     say("    static deflection    {:.3g} m: {:.3g} of the thickness, {:.3g} of a spacing\n", *body.deflection,

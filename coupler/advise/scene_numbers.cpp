@@ -14,12 +14,29 @@
 namespace cosurge {
 namespace {
 
+/// Thickness of a rectangle with this area and circumference.
+double thickness_of_plate(double area, double circumference) {
+  const double quarter = circumference / 4;
+  return quarter - std::sqrt(std::max(0.0, quarter * quarter - area));
+}
+
+/// Thickness of a square plate with this volume and surface.
+double thickness_of_slab(double volume, double surface) {
+  double low = std::cbrt(volume), high = std::max(low, std::sqrt(surface / 2));  // of its side
+  for (int k = 0; k < 60; ++k) {
+    const double side = (low + high) / 2;
+    (2 * side * side + 4 * volume / side < surface ? low : high) = side;
+  }
+  return volume / (low * low);
+}
+
+/// The shortest side of a box, and of an outline that of a plate with the same volume and surface.
 template <int dim>
 double thickness(const Shape<dim>& shape, double volume) {
   if (shape.is_box()) return (shape.bounds().max - shape.bounds().min).minCoeff();
   double surface = 0;
   for (const auto& facet : shape.facets()) surface += normal_of(facet).norm() / (dim - 1);
-  return 2 * volume / surface;
+  return dim == 2 ? thickness_of_plate(volume, surface) : thickness_of_slab(volume, surface);
 }
 
 /// Whether two boxes overlap along all axes but one.

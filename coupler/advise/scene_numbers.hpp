@@ -12,7 +12,7 @@ namespace cosurge {
 struct BodyNumbers {
   double mass = 0;       ///< density times the volume of its sites, or solid.sprung.mass [kg]
   double displaced = 0;  ///< mass of the water in the same volume [kg]
-  double thickness = 0;  ///< shortest side of a box; 2 volume / surface of an outline [m]
+  double thickness = 0;  ///< shortest side of a box; of a plate with volume and surface of an outline [m]
   double longest = 0;    ///< longest side of its bounds [m]
 
   /// mu = added mass / mass, an estimate for the water of the start; nothing where no water lies above a

@@ -111,7 +111,7 @@ Choice recommended_scheme(const v1::Case& the_case, const SceneNumbers& scene) {
   if (the_case.solid().model() == v1::SolidModel::rigid)
     return {"weak", "rigid bodies do not respond to the load"};
   if (const std::string why = waves(the_case, scene, false); !why.empty()) return {iterated, why};
-  if (!mu) return {"auto", "mu is not known before the water is there"};
+  if (!mu) return {"auto", "there is no estimate of mu before the run; this scheme measures it"};
   if (!limit) return {"auto", "the limit of weak is not known with these settings"};
   const auto against = [&](const char* how) {
     return fmt::format("mu of about {:.3g} {} {:.3g}, the limit of weak with these settings", *mu, how,

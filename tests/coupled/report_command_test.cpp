@@ -47,7 +47,11 @@ Said cosurge_says(const ScratchFolder& folder, std::vector<std::string> argument
 TEST(ReportCommand, WritesTheRunsPeaksAndReplacesOnlyItsOwnPage) {
   const ScratchFolder folder;
   const std::string run = (folder.path() / "run").string(), other = (folder.path() / "other.html").string();
-  ASSERT_EQ(cosurge_says(folder, {"run", small_dam_break, "--out", run, "--set", "time.end=0.1"}).status, 0);
+  // With weak coupling the spurious work of this coarse case scatters around the limit of a good result.
+  ASSERT_EQ(cosurge_says(folder, {"run", small_dam_break, "--out", run, "--set", "time.end=0.1",
+                                  "coupling.scheme=strong"})
+                .status,
+            0);
   for (int times = 0; times < 2; ++times) {
     const Said said = cosurge_says(folder, {"report", run});
     EXPECT_EQ(said.status, 0) << said.output;
