@@ -139,7 +139,6 @@ class Mps {
   double longest_step(double speed, double driven) const;
   void check_bounds(int water, int which, double fastest, double end) const;
 
-
   Water<dim> water_;
   ReferenceValues reference_;  // values for the radius re_gradient
   Walls<dim> walls_;
