@@ -18,7 +18,8 @@ using Datasets = std::map<std::string, std::vector<double>>;
 inline void collect(const H5::Group& group, const std::string& path, Datasets& into) {
   for (hsize_t i = 0; i < group.getNumObjs(); ++i) {
     const std::string name = group.getObjnameByIdx(i);
-    const std::string child = path + "/" + name;
+    std::string child = path;
+    child.append("/").append(name);
     if (group.getObjTypeByIdx(i) == H5G_GROUP) {
       collect(group.openGroup(name), child, into);
     } else {

@@ -1,5 +1,6 @@
 #include "common/case/window_sizes.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
