@@ -240,7 +240,8 @@ TYPED_TEST(Operators, EveningOutLeavesTheLatticeAsItIsAndPartsACrowdedPair) {
 TYPED_TEST(Operators, EveningOutStopsBesideTheFreeSurface) {
   constexpr int dim = TypeParam::value;
   Lattice<dim> l;
-  auto& [particles, neighbors] = l.cloud;
+  Particles<dim>& particles = l.cloud.particles;
+  const Neighbors<dim>& neighbors = l.cloud.neighbors;
   particles.x[l.i][0] += 0.3 * l0;
   bool first = true;
   neighbors.each(particles, l.i, [&](int j, const Vec<dim>&, double) {
