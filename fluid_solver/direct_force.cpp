@@ -6,7 +6,7 @@ template <int dim>
 void DirectForce<dim>::clear(int particles) {
   force_.assign(static_cast<std::size_t>(particles), Vec<dim>::Zero());
   struck_.assign(static_cast<std::size_t>(particles), 0);
-  rubs_on_.assign(static_cast<std::size_t>(particles), FaceBefore<dim>());
+  rubs_.assign(static_cast<std::size_t>(particles), 0);
 }
 
 template <int dim>
@@ -22,16 +22,16 @@ void DirectForce<dim>::add_collisions(const Particles<dim>& particles, const Nei
 
 template <int dim>
 void DirectForce<dim>::add_friction(const Particles<dim>& particles, const Neighbors<dim>& neighbors,
-                                    const NoSlip<dim>& rule, double factor) {
+                                    double spacing, const Vec<dim>& kick, double factor) {
   // In order: the sums have the same bits with any number of threads.
   for (int i = 0; i < particles.size(); ++i) {
-    const FaceBefore<dim>& face = rubs_on_[static_cast<std::size_t>(i)];
-    if (face.place < 0) continue;
+    if (rubs_[static_cast<std::size_t>(i)] == 0) continue;
+    const FaceBefore<dim> face = face_before(particles, neighbors, i, spacing);
     neighbors.each_weighted(particles, i, [&](int j, const Vec<dim>&, double, double w) {
       if (particles.kind[j] == Kind::fluid) return;
       const int felt_by = has_pressure(particles.kind[j]) ? j : face.place;
       force_[static_cast<std::size_t>(felt_by)] -=
-          factor * w * beyond_face(particles, i, j, face, rule).of_motion;
+          factor * w * beyond_face(particles, i, j, face, kick).of_motion;
     });
   }
 }

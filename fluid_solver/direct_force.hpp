@@ -25,12 +25,13 @@ class DirectForce {
                       const CollisionLaw& law, double mass, double dt);
 
   /// Notes that water particle i rubs on a face; may be called by several threads, once for each i.
-  void note_rubbing(int i, const FaceBefore<dim>& face) { rubs_on_[static_cast<std::size_t>(i)] = face; }
+  void note_rubbing(int i) { rubs_[static_cast<std::size_t>(i)] = 1; }
 
   /// Adds the friction of eq. (8) of the noted particles. Layers behind a face give theirs to its nearest
-  /// point. `factor`: mass of a particle times 2 d nu / (lambda0 n0) [kg/s].
-  void add_friction(const Particles<dim>& particles, const Neighbors<dim>& neighbors, const NoSlip<dim>& rule,
-                    double factor);
+  /// point. `factor`: mass of a particle times 2 d nu / (lambda0 n0) [kg/s]; `spacing`, `kick`: as for
+  /// face_before() and beyond_face().
+  void add_friction(const Particles<dim>& particles, const Neighbors<dim>& neighbors, double spacing,
+                    const Vec<dim>& kick, double factor);
 
   /// On the particle of a wall or body at this place [N]; zero before the first step.
   Vec<dim> on(int place) const {
@@ -40,7 +41,7 @@ class DirectForce {
  private:
   std::vector<Vec<dim>> force_;
   std::vector<char> struck_;
-  std::vector<FaceBefore<dim>> rubs_on_;
+  std::vector<char> rubs_;
 };
 
 }  // namespace cosurge::fluid

@@ -202,7 +202,7 @@ void Mps<dim>::diffuse_and_collide(double dt) {
                          .restitution = restitution(),
                          .spacing = water_.spacing};
   const double nu = water_.kinematic_viscosity;
-  const NoSlip<dim> no_slip{.spacing = water_.spacing, .kick = dt * water_.gravity};
+  const Vec<dim> kick = dt * water_.gravity;
   const SurfaceDamping damping = surface_damping(reference_.n0, propagation_speed_, water_.spacing, dt);
   change_.assign(static_cast<std::size_t>(particles_.size()), Vec<dim>::Zero());
   direct_force_.clear(particles_.size());
@@ -214,15 +214,15 @@ void Mps<dim>::diffuse_and_collide(double dt) {
     if (open_surface()) change_[i] += damp_surface(particles_, neighbors_, i, reference_.n0, damping);
     if (nu == 0) continue;
     const FaceBefore<dim> face = face_before(particles_, neighbors_, i, water_.spacing);
-    if (face.place >= 0) direct_force_.note_rubbing(i, face);
+    if (face.place >= 0) direct_force_.note_rubbing(i);
     change_[i] +=
         dt * nu *
-        velocity_laplacian(particles_, neighbors_, i, face, no_slip, reference_.n0, reference_.lambda0);
+        velocity_laplacian(particles_, neighbors_, i, face, kick, reference_.n0, reference_.lambda0);
   }
   const double mass = water_.density * std::pow(water_.spacing, dim);
   direct_force_.add_collisions(particles_, neighbors_, law, mass, dt);
   if (nu > 0)
-    direct_force_.add_friction(particles_, neighbors_, no_slip,
+    direct_force_.add_friction(particles_, neighbors_, water_.spacing, kick,
                                mass * nu * 2 * dim / (reference_.lambda0 * reference_.n0));
   for (int i = 0; i < particles_.size(); ++i) particles_.u[i] += change_[i];
 }

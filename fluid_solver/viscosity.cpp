@@ -61,8 +61,8 @@ FaceBefore<dim> face_before(const Particles<dim>& particles, const Neighbors<dim
 
 template <int dim>
 BeyondFace<dim> beyond_face(const Particles<dim>& particles, int i, int j, const FaceBefore<dim>& face,
-                            const NoSlip<dim>& rule) {
-  const Vec<dim> u_ij = particles.u[j] + rule.kick - particles.u[i];
+                            const Vec<dim>& kick) {
+  const Vec<dim> u_ij = particles.u[j] + kick - particles.u[i];
   if (face.place < 0) return {.of_face = u_ij, .of_motion = u_ij};
   const Vec<dim> way = particles.x[i] - particles.x[j];
   const Vec<dim>& n = particles.normal[j];
@@ -74,22 +74,22 @@ BeyondFace<dim> beyond_face(const Particles<dim>& particles, int i, int j, const
 
 template <int dim>
 Vec<dim> velocity_laplacian(const Particles<dim>& particles, const Neighbors<dim>& neighbors, int i,
-                            const FaceBefore<dim>& face, const NoSlip<dim>& rule, double n0, double lambda0) {
+                            const FaceBefore<dim>& face, const Vec<dim>& kick, double n0, double lambda0) {
   Vec<dim> sum = Vec<dim>::Zero();
   neighbors.each_weighted(particles, i, [&](int j, const Vec<dim>&, double, double w) {
     sum += w * (particles.kind[j] == Kind::fluid ? Vec<dim>(particles.u[j] - particles.u[i])
-                                                 : beyond_face(particles, i, j, face, rule).of_face);
+                                                 : beyond_face(particles, i, j, face, kick).of_face);
   });
   return 2 * dim / (lambda0 * n0) * sum;
 }
 
 template FaceBefore<2> face_before<2>(const Particles<2>&, const Neighbors<2>&, int, double);
 template FaceBefore<3> face_before<3>(const Particles<3>&, const Neighbors<3>&, int, double);
-template BeyondFace<2> beyond_face<2>(const Particles<2>&, int, int, const FaceBefore<2>&, const NoSlip<2>&);
-template BeyondFace<3> beyond_face<3>(const Particles<3>&, int, int, const FaceBefore<3>&, const NoSlip<3>&);
+template BeyondFace<2> beyond_face<2>(const Particles<2>&, int, int, const FaceBefore<2>&, const Vec<2>&);
+template BeyondFace<3> beyond_face<3>(const Particles<3>&, int, int, const FaceBefore<3>&, const Vec<3>&);
 template Vec<2> velocity_laplacian<2>(const Particles<2>&, const Neighbors<2>&, int, const FaceBefore<2>&,
-                                      const NoSlip<2>&, double, double);
+                                      const Vec<2>&, double, double);
 template Vec<3> velocity_laplacian<3>(const Particles<3>&, const Neighbors<3>&, int, const FaceBefore<3>&,
-                                      const NoSlip<3>&, double, double);
+                                      const Vec<3>&, double, double);
 
 }  // namespace cosurge::fluid

@@ -38,17 +38,18 @@ TEST(DirectForce, OfFrictionIsWhatTheViscosityTakesFromTheWater) {
   }
   cloud.neighbors.rebuild(cloud.particles);
   constexpr double mass = 3, nu = 0.2, n0 = 5, lambda0 = 1.7;
-  const NoSlip<2> rule{.spacing = 1, .kick = {0.1, -0.2}};
+  constexpr double spacing = 1;
+  const Vec<2> kick(0.1, -0.2);
   DirectForce<2> force;
   force.clear(cloud.particles.size());
   Vec<2> lost = Vec<2>::Zero();
   for (int i = 0; i < cloud.particles.size(); ++i) {
     if (cloud.particles.kind[i] != Kind::fluid) continue;
-    const FaceBefore<2> face = face_before(cloud.particles, cloud.neighbors, i, rule.spacing);
-    if (face.place >= 0) force.note_rubbing(i, face);
-    lost -= mass * nu * velocity_laplacian(cloud.particles, cloud.neighbors, i, face, rule, n0, lambda0);
+    const FaceBefore<2> face = face_before(cloud.particles, cloud.neighbors, i, spacing);
+    if (face.place >= 0) force.note_rubbing(i);
+    lost -= mass * nu * velocity_laplacian(cloud.particles, cloud.neighbors, i, face, kick, n0, lambda0);
   }
-  force.add_friction(cloud.particles, cloud.neighbors, rule, mass * nu * 2 * 2 / (lambda0 * n0));
+  force.add_friction(cloud.particles, cloud.neighbors, spacing, kick, mass * nu * 2 * 2 / (lambda0 * n0));
   EXPECT_GT(lost.norm(), 1);
   EXPECT_LT((sum(cloud, force) - lost).norm(), 1e-12 * lost.norm());
 }

@@ -56,6 +56,15 @@ double parting(const test::Cloud<dim>& cloud, int i) {
   return parting_at_faces<dim>(cloud.particles, cloud.particles.u, cloud.neighbors.grid(), i, rule);
 }
 
+/// Expects neither divergence nor approach at particle i.
+template <int dim>
+void expect_undisturbed(const test::Cloud<dim>& cloud, int i) {
+  const Particles<dim>& all = cloud.particles;
+  EXPECT_NEAR(parting(cloud, i), 0, rounding) << all.x[i].transpose();
+  EXPECT_NEAR(approach_speed<dim>(all, cloud.neighbors, i, Vec<dim>::Zero(), l0), 0, rounding)
+      << all.x[i].transpose();
+}
+
 TYPED_TEST(Edge, WaterThatRunsAlongAFaceToItsEdgeHasNoDivergence) {
   constexpr int dim = TypeParam::value;
   for (const bool above : {true, false}) {
@@ -65,9 +74,7 @@ TYPED_TEST(Edge, WaterThatRunsAlongAFaceToItsEdgeHasNoDivergence) {
     for (int i = 0; i < all.size(); ++i) {
       if (!before_one_face<dim>(all.x[i]) || all.kind[i] != Kind::fluid) continue;
       ++seen;
-      EXPECT_NEAR(parting(cloud, i), 0, rounding) << all.x[i].transpose();
-      EXPECT_NEAR(approach_speed<dim>(all, cloud.neighbors, i, Vec<dim>::Zero(), l0), 0, rounding)
-          << all.x[i].transpose();
+      expect_undisturbed(cloud, i);
     }
     EXPECT_GT(seen, 20);
   }
@@ -81,9 +88,7 @@ TYPED_TEST(Edge, WaterBehindAFaceDoesNotCountInItsRows) {
   for (int i = 0; i < all.size(); ++i) {
     if (!before_one_face<dim>(all.x[i]) || all.kind[i] != Kind::wall || all.normal[i][0] != 0) continue;
     ++seen;
-    EXPECT_NEAR(parting(cloud, i), 0, rounding) << all.x[i].transpose();
-    EXPECT_NEAR(approach_speed<dim>(all, cloud.neighbors, i, Vec<dim>::Zero(), l0), 0, rounding)
-        << all.x[i].transpose();
+    expect_undisturbed(cloud, i);
   }
   EXPECT_GT(seen, 3);
 }

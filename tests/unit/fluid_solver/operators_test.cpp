@@ -24,8 +24,7 @@ constexpr double rounding =
 /// Laplacian of the velocity in water without walls.
 template <int dim>
 Vec<dim> laplacian(const Cloud<dim>& cloud, int i, const ReferenceValues& reference) {
-  const NoSlip<dim> no_walls{.spacing = l0, .kick = Vec<dim>::Zero()};
-  return velocity_laplacian(cloud.particles, cloud.neighbors, i, {}, no_walls, reference.n0,
+  return velocity_laplacian(cloud.particles, cloud.neighbors, i, {}, Vec<dim>(Vec<dim>::Zero()), reference.n0,
                             reference.lambda0);
 }
 

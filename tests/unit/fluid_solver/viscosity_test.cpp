@@ -22,8 +22,8 @@ TYPED_TEST_SUITE(Viscosity, Dimensions);
 
 /// Water in plane shear flow on a floor that moves along x, and the fall that both have in a step.
 template <int dim>
-struct SheardWater {
-  SheardWater() : cloud(test::block<dim>(test::Counts<dim>::Constant(12), l0)) {
+struct ShearedWater {
+  ShearedWater() : cloud(test::block<dim>(test::Counts<dim>::Constant(12), l0)) {
     Particles<dim>& all = cloud.particles;
     for (int i = 0; i < all.size(); ++i) {
       const double height = all.x[i][dim - 1] - face;
@@ -45,21 +45,20 @@ struct SheardWater {
 
   Vec<dim> floor = 0.7 * Vec<dim>::Unit(0);
   Vec<dim> fall = -0.02 * Vec<dim>::Unit(dim - 1);
-  NoSlip<dim> rule{.spacing = l0, .kick = fall};
   ReferenceValues reference = reference_values<dim>(2.1 * l0, l0);
   test::Cloud<dim> cloud;
 };
 
 TYPED_TEST(Viscosity, PlaneShearFlowOnAMovingWallHasNoViscousForceDownToTheWall) {
   constexpr int dim = TypeParam::value;
-  const SheardWater<dim> water;
+  const ShearedWater<dim> water;
   int seen = 0;
   for (int i = 0; i < water.cloud.particles.size(); ++i) {
     if (water.cloud.particles.kind[i] != Kind::fluid || !water.in_the_middle(i)) continue;
     const FaceBefore<dim> before = face_before(water.cloud.particles, water.cloud.neighbors, i, l0);
     if (before.place >= 0) ++seen;
     const Vec<dim> laplacian = velocity_laplacian(water.cloud.particles, water.cloud.neighbors, i, before,
-                                                  water.rule, water.reference.n0, water.reference.lambda0);
+                                                  water.fall, water.reference.n0, water.reference.lambda0);
     EXPECT_LT(laplacian.norm(), rounding * shear / l0) << i;
   }
   EXPECT_GT(seen, 5);
@@ -68,17 +67,17 @@ TYPED_TEST(Viscosity, PlaneShearFlowOnAMovingWallHasNoViscousForceDownToTheWall)
 constexpr double rho = 1000, nu = 1e-3;
 
 template <int dim>
-DirectForce<dim> friction(const SheardWater<dim>& water) {
+DirectForce<dim> friction(const ShearedWater<dim>& water) {
   const auto& [particles, neighbors] = water.cloud;
   DirectForce<dim> force;
   force.clear(particles.size());
   for (int i = 0; i < particles.size(); ++i) {
     if (particles.kind[i] != Kind::fluid) continue;
     const FaceBefore<dim> before = face_before(particles, neighbors, i, l0);
-    if (before.place >= 0) force.note_rubbing(i, before);
+    if (before.place >= 0) force.note_rubbing(i);
   }
   const double mass = rho * std::pow(l0, dim);
-  force.add_friction(particles, neighbors, water.rule,
+  force.add_friction(particles, neighbors, l0, water.fall,
                      mass * nu * 2 * dim / (water.reference.lambda0 * water.reference.n0));
   return force;
 }
@@ -86,7 +85,7 @@ DirectForce<dim> friction(const SheardWater<dim>& water) {
 // rho nu du/dy on each l0^(d-1) of the wall.
 TYPED_TEST(Viscosity, FrictionOnTheWallIsTheShearStress) {
   constexpr int dim = TypeParam::value;
-  const SheardWater<dim> water;
+  const ShearedWater<dim> water;
   Vec<dim> middle = Vec<dim>::Constant(6.5 * l0);
   middle[dim - 1] = face - l0 / 2;
   const Vec<dim> exact = rho * nu * shear * std::pow(l0, dim - 1) * Vec<dim>::Unit(0);
@@ -95,7 +94,7 @@ TYPED_TEST(Viscosity, FrictionOnTheWallIsTheShearStress) {
 
 TYPED_TEST(Viscosity, WaterThatRotatesWithItsWallsRubsOnNone) {
   constexpr int dim = TypeParam::value;
-  SheardWater<dim> water;
+  ShearedWater<dim> water;
   auto& [particles, neighbors] = water.cloud;
   const Mat<dim> any = test::some_matrix<dim>();
   const Mat<dim> spin = any - any.transpose();
