@@ -4,9 +4,9 @@
 #include <cmath>
 #include <functional>
 
-#include "common/case/bodies.hpp"
 #include "common/case/carriers.hpp"
 #include "common/case/from_case.hpp"
+#include "common/case/movers.hpp"
 #include "common/error.hpp"
 
 namespace cosurge {
@@ -15,46 +15,6 @@ namespace {
 constexpr double most_falls = 10;  // limit of the wall speed [speed of a fall through the tank]
 constexpr int samples = 1000;      // number of times checked in a run
 constexpr double deep = 0.75;      // [spacings]; wall particles lie half a spacing inside
-
-/// A prescribed motion, its key, and the box that moves by it.
-template <int dim>
-struct Mover {
-  std::string key;
-  const v1::WallMotion& prescribed;
-  Motion<dim> motion;
-  Box<dim> box;
-};
-
-template <int dim>
-std::vector<Vec<dim>> corners_of(const Box<dim>& box) {
-  std::vector<Vec<dim>> corners;
-  for (int corner = 0; corner < 1 << dim; ++corner) {
-    Vec<dim> x;
-    for (int k = 0; k < dim; ++k) x[k] = (corner >> k & 1) != 0 ? box.max[k] : box.min[k];
-    corners.push_back(x);
-  }
-  return corners;
-}
-
-template <int dim>
-std::vector<Mover<dim>> movers_of(const v1::Case& c) {
-  std::vector<Mover<dim>> movers;
-  const v1::Fluid& fluid = c.fluid();
-  const auto add = [&](const std::string& key, const v1::WallMotion& motion, const Box<dim>& box) {
-    Mover<dim> mover{.key = key, .prescribed = motion, .motion = from_case<dim>(motion), .box = box};
-    if (mover.motion.moves()) movers.push_back(std::move(mover));
-  };
-  if (fluid.has_tank_motion()) add("fluid.tank_motion", fluid.tank_motion(), from_case<dim>(fluid.tank()));
-  for (int i = 0; i < fluid.obstacle_size(); ++i)
-    if (fluid.obstacle(i).has_motion())
-      add(fmt::format("fluid.obstacle.{}.motion", i), fluid.obstacle(i).motion(),
-          from_case<dim>(fluid.obstacle(i).shape()).bounds());
-  for (int i = 0; i < c.solid().body_size(); ++i)
-    if (c.solid().body(i).has_motion())
-      add(fmt::format("solid.body.{}.motion", i), c.solid().body(i).motion(),
-          from_case<dim>(shape_of(c.solid().body(i))).bounds());
-  return movers;
-}
 
 /// A table that has no row between the start and the end moves nothing.
 std::string without_rows(const std::string& key, const v1::WallMotion& motion, int dimension, double end) {
@@ -90,11 +50,10 @@ std::string too_fast(const v1::Case& c, const Mover<dim>& mover, const std::vect
   const double fall = std::sqrt(2 * gravity.norm() * (scene.max - scene.min).maxCoeff());
   double fastest = 0, when = 0;
   for (const double t : times)
-    for (const Vec<dim>& X : corners_of(mover.box))
-      if (const double speed = mover.motion.velocity(X, t).norm(); speed > fastest) {
-        fastest = speed;
-        when = t;
-      }
+    if (const double speed = mover.speed(t); speed > fastest) {
+      fastest = speed;
+      when = t;
+    }
   if (fall == 0 || fastest <= most_falls * fall) return "";
   return fmt::format(
       "{}: moves at {:.3g} m/s at t = {:.4g} s, {:.0f} times the speed of a fall through the tank ({:.3g} "
@@ -132,8 +91,8 @@ std::vector<std::string> doubts_of(const v1::Case& c) {
   std::vector<std::string> all;
   const double end = c.time().end();
   for (const Mover<dim>& mover : movers_of<dim>(c)) {
-    const std::vector<double> times = instants(mover.prescribed, dim, end);
-    for (const std::string& doubt : {without_rows(mover.key, mover.prescribed, dim, end),
+    const std::vector<double> times = instants(*mover.prescribed, dim, end);
+    for (const std::string& doubt : {without_rows(mover.key, *mover.prescribed, dim, end),
                                      too_fast(c, mover, times), into_the_tank(c, mover, times)})
       if (!doubt.empty()) all.push_back(doubt);
   }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/case/wall_speeds.hpp"
+#include "common/case/movers.hpp"
 #include "common/case/water_depth.hpp"
 #include "common/water_step.hpp"
 
